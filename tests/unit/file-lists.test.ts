@@ -1,6 +1,6 @@
 /** Lists of a file that is read beforehand: where they lie, and integers of 64 bits as their low halves. */
 import { describe, expect, test } from 'vitest'
-import { lowHalves, PART } from '../../web/core/batch/low-halves'
+import { lowHalves, PART } from '../../web/input/low-halves'
 import { listsIn, readMeshes } from '../../web/mesh/read-mesh'
 import { fileOfBytes, type MeshFile } from '../../web/mesh/source'
 import { practiceFile } from '../../web/survey/practice'

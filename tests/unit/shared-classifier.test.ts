@@ -1,6 +1,6 @@
 /** Cells shared out among workers are answered as by one. */
 import { afterAll, expect, test } from 'vitest'
-import { PART } from '../../web/core/batch/low-halves'
+import { PART } from '../../web/input/low-halves'
 import type { WorkerPort } from '../../web/core/workers'
 import { sharedClassifier } from '../../web/survey/shared-classifier'
 import { core, randomSource, unitCube } from './core-fixtures'

@@ -3,10 +3,12 @@
  * list of numbers is a slice of its own, so that it is not copied; integers of 64 bits become their low halves slice by slice, while the
  * next ones are read.
  */
-import { type LowHalves, lowHalves, PART } from '../core/batch/low-halves'
+import type { ReadingCore } from '../core/reading-interface'
 import { listsIn } from '../mesh/read-mesh'
-import type { FileList, MeshFile } from '../mesh/source'
+import type { FileList, MeshFile, PackedBlocks, UnpackedList } from '../mesh/source'
 import { meshFileOf } from './file-reading'
+import { type LowHalves, lowHalves, PART } from './low-halves'
+import { type PackedPart, packedParts, type UnpackedPart, unpackedPart } from './unpacking'
 
 /** Bytes of a slice, and slices under way. */
 const SLICE = 8 * 1024 * 1024
@@ -51,24 +53,34 @@ export interface CellsInParts {
   readonly ranges: Int32Array
 }
 
+/** Somebody else who reads parts of a file; a promise that rejects is of one who does no more. */
+export interface PartReader {
+  /** Integers of 64 bits. */
+  halve(bytes: Blob): Promise<LowHalves>
+  /** Compressed blocks; null where they are damaged. */
+  unpack(bytes: Blob, part: PackedPart): Promise<UnpackedPart | null>
+}
+
 export interface Beforehand {
   readonly onCells: OnCells
-  /** Others who read integers of 64 bits; a promise that rejects is of one who does no more. */
-  readonly halvers: readonly ((bytes: Blob) => Promise<LowHalves>)[]
+  readonly readers: readonly PartReader[]
 }
 
 export async function fileAtHand(
   file: File,
   onProgress: (fraction: number) => void,
-  { onCells, halvers }: Beforehand = { onCells() {}, halvers: [] },
+  core: ReadingCore | null,
+  { onCells, readers }: Beforehand = { onCells() {}, readers: [] },
 ): Promise<FileAtHand> {
   const own = meshFileOf(file)
   if (file.size < SHORT || file.size > LONG) return { ...own, close: () => {} }
-  const lists = listsIn(own)
+  const lists = listsIn(own).filter(({ packed }) => packed === null || core !== null)
   const slices = slicesOf(lists, file.size)
+  const unpacking = lists.flatMap(list => (list.packed ? [new Unpacking(list, list.packed)] : []))
   const [of, cells] = (['points', 'hexahedra'] as const).map(holds => lists.filter(list => list.holds === holds))
   /** Where there are points and hexahedra of one kind each. */
-  const told = of?.length === 1 && cells?.length === 1 ? { points: of[0]?.from, cells: cells[0]?.from } : null
+  const isTold = of?.length === 1 && cells?.length === 1 && unpacking.length === 0
+  const told = isTold ? { points: of[0]?.from, cells: cells[0]?.from } : null
   let points: Float64Array | null = null
   let toldCells = 0
   let done = 0
@@ -82,16 +94,18 @@ export async function fileAtHand(
     toldCells = known
     onCells(points, halves, known)
   }
-  const waiting = [...slices]
+  const waiting = slices.filter(({ isRead }) => !isRead)
+  const packed = unpacking.flatMap(each => each.parts.map(part => ({ each, part })))
+  const total = waiting.length + packed.length
 
   function took(slice: Slice): void {
     slice.isRead = true
-    onProgress(++done / slices.length)
+    onProgress(++done / total)
     if (told) tellOfCells()
   }
 
   async function read(slice: Slice): Promise<void> {
-    const bytes = await file.slice(slice.from, slice.to).arrayBuffer()
+    const bytes = await bytesOf(slice).arrayBuffer()
     const { halves } = slice
     if (halves) put(lowHalves(bytes, partOf(slice, halves)), slice, halves)
     else slice.bytes = new Uint8Array(bytes)
@@ -99,18 +113,35 @@ export async function fileAtHand(
     took(slice)
   }
 
+  const bytesOf = ({ from, to }: { readonly from: number; readonly to: number }) => file.slice(from, to)
+
   async function readAll(): Promise<void> {
     for (let slice = waiting.shift(); slice; slice = waiting.shift()) await read(slice)
+    await unpackAll(async part => unpackedPart(await bytesOf(part).arrayBuffer(), part, core as ReadingCore))
   }
 
-  async function readElsewhere(halve: (bytes: Blob) => Promise<LowHalves>): Promise<void> {
+  async function unpackAll(unpack: (part: PackedPart) => Promise<UnpackedPart | null>): Promise<void> {
+    for (let next = packed.shift(); next; next = packed.shift()) {
+      const { each, part } = next
+      try {
+        each.put(part, await unpack(part))
+      } catch {
+        packed.unshift(next)
+        return
+      }
+      onProgress(++done / total)
+    }
+  }
+
+  async function readElsewhere({ halve, unpack }: PartReader): Promise<void> {
+    await unpackAll(part => unpack(bytesOf(part), part))
     for (;;) {
       const at = waiting.findIndex(slice => slice.halves)
       const [slice] = at < 0 ? [] : waiting.splice(at, 1)
       if (!slice) return
       const halves = slice.halves as Halves
       try {
-        const found = await halve(file.slice(slice.from, slice.to))
+        const found = await halve(bytesOf(slice))
         partOf(slice, halves).set(found.list)
         put(found, slice, halves)
         took(slice)
@@ -122,7 +153,7 @@ export async function fileAtHand(
 
   await Promise.all([
     ...Array.from({ length: AT_ONCE }, readAll),
-    ...halvers.flatMap(halve => Array.from({ length: AHEAD }, () => readElsewhere(halve))),
+    ...readers.flatMap(reader => Array.from({ length: AHEAD }, () => readElsewhere(reader))),
   ])
   return {
     name: own.name,
@@ -137,7 +168,36 @@ export async function fileAtHand(
       const { halves } = slices.find(slice => slice.halves?.from === from) ?? {}
       return halves && halves.high === 0 && halves.list.length === count ? halves.list : null
     },
-    close: () => slices.splice(0),
+    unpacked: from => unpacking.find(each => each.from === from)?.found() ?? null,
+    close() {
+      slices.splice(0)
+      unpacking.splice(0)
+    },
+  }
+}
+
+/** A list of compressed blocks that is unpacked part by part. */
+class Unpacking {
+  readonly from: number
+  readonly parts: readonly PackedPart[]
+  readonly #list: UnpackedList
+  #isWhole = true
+
+  constructor({ from, to, isLong }: FileList, packed: PackedBlocks) {
+    this.from = from
+    this.parts = packedParts(packed, isLong)
+    const count = packed.bytes / 8
+    this.#list = { list: isLong ? new Uint32Array(count) : new Float64Array(count), to }
+  }
+
+  put({ first }: PackedPart, found: UnpackedPart | null): void {
+    if (found?.high === 0) this.#list.list.set(found.list, first)
+    else this.#isWhole = false
+  }
+
+  /** Null where a part was damaged, or an integer was greater. */
+  found(): UnpackedList | null {
+    return this.#isWhole ? this.#list : null
   }
 }
 
@@ -149,10 +209,16 @@ function slicesOf(lists: readonly FileList[], size: number): Slice[] {
     for (; at < end; at = Math.min(at + longest, end))
       slices.push({ from: at, to: Math.min(at + longest, end), bytes: null, halves, isRead: false })
   }
-  for (const { from, to, isLong } of lists.toSorted((a, b) => a.from - b.from)) {
+  for (const { from, to, isLong, packed } of lists.toSorted((a, b) => a.from - b.from)) {
     // Lists that overlap are a damaged file's.
     if (from < at) continue
     cutTo(from, SLICE, null)
+    if (packed) {
+      // Others read it.
+      slices.push({ from, to, bytes: null, halves: null, isRead: true })
+      at = to
+      continue
+    }
     const count = (to - from) / 8
     const ranges = new Int32Array(2 * Math.ceil(count / PART))
     if (isLong) cutTo(to, SLICE, { from, list: new Uint32Array(count), ranges, high: 0 })

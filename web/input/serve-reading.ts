@@ -75,10 +75,11 @@ export function filesOf(input: PastedInput): MeshFile[] {
 async function filesAtHand(
   input: PastedInput,
   onProgress: (fraction: number) => void,
+  core: ReadingCore | null,
   beforehand?: Beforehand,
 ): Promise<MeshFile[]> {
   const [first, ...others] = 'files' in input ? input.files : []
-  return first && others.length === 0 ? [await fileAtHand(first, onProgress, beforehand)] : filesOf(input)
+  return first && others.length === 0 ? [await fileAtHand(first, onProgress, core, beforehand)] : filesOf(input)
 }
 
 /** One mesh of all that was given. Throws a MeshRefusal, or what the engine throws. */
@@ -90,7 +91,7 @@ export async function meshOf(
 ): Promise<Mesh> {
   const core = await readingCore()
   const onProgress = (fraction: number) => tell({ step: 'reading', fraction })
-  const files = await filesAtHand(input, onProgress, beforehand)
+  const files = await filesAtHand(input, onProgress, core, beforehand)
   const [first, ...others] = await hdf5.reading(
     reader => readTogether(files, { onProgress, throwIfCancelled: () => {}, core, hdf5: reader }),
     () => tell(LOADING_BEGINS),

@@ -48,6 +48,39 @@ for (let i = 0; i < 64; ++i)
 BASE64[61] = PADDING
 for (const blank of [9, 10, 13, 32]) BASE64[blank] = BLANK
 
+/** Decodes four digits at a time from `at` on, up to blanks, padding, or an end; returns the bytes that came out of it. */
+function decodeDigits(text: Uint8Array, at: number, output: Uint8Array, from: number): number {
+  let filled = from
+  for (let i = at; i + 4 <= text.length && filled + 3 <= output.length; i += 4) {
+    const a = BASE64[text[i] as number] as number
+    const b = BASE64[text[i + 1] as number] as number
+    const c = BASE64[text[i + 2] as number] as number
+    const d = BASE64[text[i + 3] as number] as number
+    if ((a | b | c | d) > 63) break
+    output[filled] = (a << 2) | (b >> 4)
+    output[filled + 1] = (b << 4) | (c >> 2)
+    output[filled + 2] = (c << 6) | d
+    filled += 3
+  }
+  return filled - from
+}
+
+/** The first `count` bytes of a text that is base64 from beginning to end. Throws a DamagedStream. */
+export function decodedBase64(text: Uint8Array, count: number): Uint8Array<ArrayBuffer> {
+  const output = new Uint8Array(count)
+  const done = decodeDigits(text, 0, output, 0)
+  const at = (4 * done) / 3
+  if (done === count && at === text.length) return output
+  const rest = new Base64Bytes(
+    { name: '', size: text.length, read: (from, to) => text.subarray(from, to) },
+    at,
+    text.length,
+  )
+  output.set(rest.take(count - done), done)
+  if (rest.position < text.length) throw new DamagedStream('is no base64')
+  return output
+}
+
 /** Four digits of base64 are three bytes; one or two with padding, which may stand between streams. */
 export class Base64Bytes implements ByteSource {
   #text = new Uint8Array(0)
@@ -108,22 +141,9 @@ export class Base64Bytes implements ByteSource {
   /** Whole quanta, as long as there is room and neither blanks nor padding are among them. */
   #decode(output: Uint8Array, from: number): number {
     this.#fill()
-    const text = this.#text
-    let at = this.#at
-    let filled = from
-    for (const last = text.length - 4; at <= last && filled + 3 <= output.length; at += 4) {
-      const a = BASE64[text[at] as number] as number
-      const b = BASE64[text[at + 1] as number] as number
-      const c = BASE64[text[at + 2] as number] as number
-      const d = BASE64[text[at + 3] as number] as number
-      if ((a | b | c | d) > 63) break
-      output[filled] = (a << 2) | (b >> 4)
-      output[filled + 1] = (b << 4) | (c >> 2)
-      output[filled + 2] = (c << 6) | d
-      filled += 3
-    }
-    this.#at = at
-    return filled
+    const done = decodeDigits(this.#text, this.#at, output, from)
+    this.#at += (4 * done) / 3
+    return from + done
   }
 
   /** One quantum, with blanks between its digits or padding. */

@@ -125,10 +125,25 @@ export function listsIn(file: MeshFile): readonly FileList[] {
   const head = headOf(file)
   const format = formats.find(({ recognizes }) => recognizes(head, '') === 'yes')
   try {
-    return format?.listsIn?.(file) ?? []
+    return format?.listsIn?.(readLittle(file)) ?? []
   } catch (error) {
     if (error instanceof MeshRefusal) return []
     throw error
+  }
+}
+
+/** Bytes that are read for hints; what takes more is read as it comes. */
+const LITTLE = 16 * 1024 * 1024
+
+function readLittle(file: MeshFile): MeshFile {
+  let left = LITTLE
+  return {
+    ...file,
+    read(from, to, into) {
+      left -= to - from
+      if (left < 0) throw new MeshRefusal(`${file.name}: where its lists lie is known too late.`)
+      return file.read(from, to, into)
+    },
   }
 }
 
@@ -156,6 +171,7 @@ function named(file: MeshFile): MeshFile {
     size: file.size,
     read: (from, to, into) => file.read(from, to, into),
     lowHalves: (from, count) => file.lowHalves?.(from, count) ?? null,
+    unpacked: from => file.unpacked?.(from) ?? null,
   }
 }
 

@@ -12,6 +12,15 @@ export interface MeshFile {
   read(from: number, to: number, into?: Uint8Array): Uint8Array
   /** The low halves of integers of 64 bits from a byte on, where they were taken beforehand and none has more; the list is the caller's. */
   lowHalves?(from: number, count: number): Uint32Array | null
+  /** The numbers of compressed blocks whose header begins at a byte, where they were unpacked beforehand; the list is the caller's. */
+  unpacked?(from: number): UnpackedList | null
+}
+
+export interface UnpackedList {
+  /** Doubles, or the low halves of integers of 64 bits of which none has more. */
+  readonly list: Float64Array | Uint32Array
+  /** The byte behind the blocks; in base64, no other text stands before it. */
+  readonly to: number
 }
 
 /** Bytes of a file that are a list of numbers by themselves; of integers of 64 bits, little-endian ones, only the low halves are wanted. */
@@ -21,6 +30,22 @@ export interface FileList {
   readonly isLong: boolean
   /** What the list most likely is: the points of the mesh, or the vertices of its cells, all of them hexahedra. */
   readonly holds: 'points' | 'hexahedra' | null
+  /** Null where the bytes are the numbers. */
+  readonly packed: PackedBlocks | null
+}
+
+/** Streams of zlib, one after the other behind a header. */
+export interface PackedBlocks {
+  /** Where the first begins. */
+  readonly from: number
+  /** All of them are one text. */
+  readonly isBase64: boolean
+  /** Bytes of each. */
+  readonly sizes: Float64Array
+  /** What each is unpacked, but perhaps the last; whole kilobytes. */
+  readonly blockSize: number
+  /** What all are, unpacked. */
+  readonly bytes: number
 }
 
 /** Finds a file that was dropped or lies beside, by its name in the file; null if none does. */

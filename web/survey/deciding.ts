@@ -11,10 +11,10 @@ import {
   putLists,
   type Wanted,
 } from '../core/batch/lists'
-import { PART } from '../core/batch/low-halves'
 import { Recycled } from '../core/batch/pieces'
-import type { BatchJobs } from '../core/batch/worker'
 import type { Pool } from '../core/workers'
+import { PART } from '../input/low-halves'
+import type { HelperJobs } from './helper'
 import { turn } from './turn'
 
 const CELLS_PER_CUT = 16384
@@ -26,7 +26,7 @@ const CUTS_AHEAD = 2
 /** Fewer cells are no work for several. */
 export const MANY = 4 * CELLS_PER_CUT
 
-export type Helper = Pool<WebAssembly.Module, BatchJobs>
+export type Helper = Pool<WebAssembly.Module, HelperJobs>
 
 /** Whoever can decide, and whose points they hold. */
 export interface Crew {

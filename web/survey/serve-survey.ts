@@ -173,7 +173,7 @@ export function serveSurvey(engine: SurveyEngine): void {
     const { classifier } = await tools()
     return meshOf(input, engine, tell, {
       onCells: (points, cells, count) => classifier.know(points, cells, count, FIRST_LISTS),
-      halvers: classifier.halvers(),
+      readers: classifier.readers(),
     })
   }
 

@@ -1,12 +1,11 @@
 /** Verdicts of many cells on several workers, the one that has the mesh among them: cut by cut, each with the points that it needs. */
 import { loadBatchCore } from '../core/batch/batch-core'
 import { type Wanted, wantedOf } from '../core/batch/lists'
-import type { LowHalves } from '../core/batch/low-halves'
 import { defaultWorkers } from '../core/batch/start'
 import type { Core } from '../core/report'
 import { Pool, type WorkerPort } from '../core/workers'
 import { cellClassifier } from '../input/classify-cells'
-import type { CellsInParts } from '../input/file-at-hand'
+import type { CellsInParts, PartReader } from '../input/file-at-hand'
 import type { ClassifyCells } from '../mesh/check'
 import { type Crew, Deciding, type Helper, MANY } from './deciding'
 
@@ -30,8 +29,8 @@ export interface SharedClassifier {
    * of the same points and cells finds the answers.
    */
   know(points: Float64Array, cells: CellsInParts, count: number, wanted: Wanted): void
-  /** The helpers that have started, as readers of integers of 64 bits. */
-  halvers(): readonly ((bytes: Blob) => Promise<LowHalves>)[]
+  /** The helpers that have started. */
+  readers(): readonly PartReader[]
   /** Ends them. */
   close(): Promise<void>
 }
@@ -84,7 +83,11 @@ export function sharedClassifier({ core, batchModule, helper, onProgress }: Clas
         begun = new Deciding(ready, { points, cells: cells.list, ranges: cells.ranges }, wantedOf(wanted))
       begun.know(count)
     },
-    halvers: () => [...(ready?.helpers ?? [])].map(helper => bytes => helper.run('halve', bytes)),
+    readers: () =>
+      [...(ready?.helpers ?? [])].map(helper => ({
+        halve: bytes => helper.run('halve', bytes),
+        unpack: (bytes, part) => helper.run('unpack', { bytes, part }),
+      })),
     async close() {
       for (const own of (await crew)?.helpers ?? []) own.stop(new Error('The helpers were ended.'))
     },

@@ -23,6 +23,7 @@ export interface Storage {
   readonly isLittleEndian: boolean
   readonly headerType: 'UInt32' | 'UInt64'
   readonly decompress: ((input: Uint8Array, output: Uint8Array) => void) | null
+  readonly isZlib: boolean
   /** The byte behind the underscore, and whether what follows is base64; null if the file has no appended data. */
   readonly appended: { readonly from: number; readonly isBase64: boolean } | null
 }
@@ -44,11 +45,13 @@ export interface ReadArray<T extends NumberList> {
   readonly digits: number
 }
 
+export const ZLIB = 'vtkZLibDataCompressor'
+
 /** The decompressor of the blocks of a file; undefined for one that VTK does not have. */
 export function decompressorNamed(name: string, core: ReadingCore | null): Storage['decompress'] | undefined {
   if (name === 'vtkLZ4DataCompressor') return unlz4
   if (name === 'vtkLZMADataCompressor') return unxz
-  if (name !== 'vtkZLibDataCompressor') return undefined
+  if (name !== ZLIB) return undefined
   // The codec of TypeScript finds the fault in a stream.
   return (input, output) => core?.unzlib(input, output) || unzlib(input, output)
 }
@@ -71,23 +74,80 @@ export function readArray<T extends NumberList>(
   return { list: new BinaryArray(storage, array, count, List).read(), digits: 0 }
 }
 
-/** Where a list of a piece of so many cells lies whose bytes are as they are in memory, or integers of 64 bits; nothing of another one. */
+/** Where a list of a piece of so many cells lies, of doubles or integers of 64 bits in memory's order; nothing of another one. */
 export function listOf(storage: Storage, array: DataArray, cells: number): FileList[] {
-  const { file, appended, decompress, headerType, isLittleEndian } = storage
   const isLong = array.type === 'Int64' || array.type === 'UInt64'
   const isFitting = isLong || array.type === 'Float64'
-  if (!isFitting || !isLittleEndian || !MACHINE_IS_LITTLE_ENDIAN || decompress !== null) return []
-  if (array.format !== 'appended' || appended === null || appended.isBase64) return []
-  const at = appended.from + array.offset
-  const from = at + (headerType === 'UInt32' ? 4 : 8)
-  if (from > file.size) return []
-  const header = file.read(at, from)
-  const view = new DataView(header.buffer, header.byteOffset)
-  const bytes = headerType === 'UInt32' ? view.getUint32(0, true) : Number(view.getBigUint64(0, true))
-  if (from + bytes > file.size || bytes % 8 !== 0) return []
+  if (!isFitting || !storage.isLittleEndian || !MACHINE_IS_LITTLE_ENDIAN) return []
+  const place = placeOf(storage, array)
+  const found = place && (storage.decompress === null ? plainList(storage, place) : packedList(storage, place))
+  if (!found) return []
+  const bytes = found.packed ? found.packed.bytes : found.to - found.from
+  if (bytes % 8 !== 0) return []
   const isOfHexahedra = array.name === 'connectivity' && isLong && bytes === 64 * cells
   const holds = array.name === 'Points' && !isLong ? 'points' : isOfHexahedra ? 'hexahedra' : null
-  return [{ from, to: from + bytes, isLong, holds }]
+  return [{ ...found, isLong, holds }]
+}
+
+/** Behind the blocks of an array in its own place, by their sizes alone; null where these are not known. */
+export function endOfBlocks(storage: Storage, from: number): number | null {
+  const { isLittleEndian, file } = storage
+  return isLittleEndian ? (packedList(storage, { from, to: file.size, isBase64: true })?.to ?? null) : null
+}
+
+interface Place {
+  /** Where the header begins. */
+  readonly from: number
+  readonly to: number
+  readonly isBase64: boolean
+}
+
+function placeOf({ file, appended }: Storage, { format, offset, from, to }: DataArray): Place | null {
+  if (format === 'binary') return { from, to, isBase64: true }
+  if (format !== 'appended' || appended === null || appended.from + offset >= file.size) return null
+  return { from: appended.from + offset, to: file.size, isBase64: appended.isBase64 }
+}
+
+type FoundList = Pick<FileList, 'from' | 'to' | 'packed'>
+
+function plainList({ file, headerType }: Storage, { from: at, isBase64 }: Place): FoundList | null {
+  const from = at + sizeOf(headerType)
+  if (isBase64 || from > file.size) return null
+  const bytes = headerNumbers(file.read(at, from), headerType, true)[0] as number
+  return from + bytes <= file.size ? { from, to: from + bytes, packed: null } : null
+}
+
+/** The most that zlib makes of a byte, and memory that is not too much to begin with. */
+const MOST_OF_A_BYTE = 1032
+const MOST_BYTES = 1024 * 1024 * 1024
+
+function packedList({ file, headerType, isZlib }: Storage, { from, to, isBase64 }: Place): FoundList | null {
+  if (!isZlib) return null
+  const source = isBase64 ? new Base64Bytes(file, from, to) : new RawBytes(file, from)
+  const header = (count: number) => {
+    const bytes = count * sizeOf(headerType)
+    return bytes <= source.left ? headerNumbers(source.take(bytes), headerType, true) : new Float64Array(0)
+  }
+  const [blocks = 0, blockSize = 0, lastSize = 0] = header(3)
+  const sizes = header(blocks)
+  if (blocks === 0 || sizes.length < blocks || blockSize % 1024 !== 0) return null
+  // Header and blocks are two texts.
+  if (isBase64 && source.left !== Math.ceil((3 * (to - source.position)) / 4)) return null
+  const bytes = lastSize === 0 ? blocks * blockSize : (blocks - 1) * blockSize + lastSize
+  const packedBytes = sizes.reduce((sum, size) => sum + size, 0)
+  const end = source.position + (isBase64 ? 4 * Math.ceil(packedBytes / 3) : packedBytes)
+  if (end > to || lastSize > blockSize) return null
+  if (bytes > MOST_BYTES || bytes > MOST_OF_A_BYTE * packedBytes) return null
+  return { from, to: end, packed: { from: source.position, isBase64, sizes, blockSize, bytes } }
+}
+
+/** Unsigned integers of the header's type. */
+function headerNumbers(bytes: Uint8Array, type: Storage['headerType'], isLittleEndian: boolean): Float64Array {
+  const view = new DataView(bytes.buffer, bytes.byteOffset)
+  const size = sizeOf(type)
+  return Float64Array.from({ length: bytes.length / size }, (_, i) =>
+    size === 4 ? view.getUint32(4 * i, isLittleEndian) : Number(view.getBigUint64(8 * i, isLittleEndian)),
+  )
 }
 
 /** Refuses with the line of a byte. */
@@ -167,8 +227,11 @@ class BinaryArray<T extends NumberList> {
 
   read(): T {
     try {
-      if (this.#storage.decompress === null) this.#readPlain()
-      else this.#readBlocks(this.#storage.decompress)
+      const { file, decompress } = this.#storage
+      const known = file.unpacked?.(this.#source.position)?.list
+      if (known instanceof this.#List && known.length === this.#count) this.#list = known
+      else if (decompress === null) this.#readPlain()
+      else this.#readBlocks(decompress)
     } catch (error) {
       if (error instanceof DamagedStream) this.#refuse(`${error.message}.`)
       throw error
@@ -183,15 +246,9 @@ class BinaryArray<T extends NumberList> {
     return this.#source.take(count)
   }
 
-  /** Unsigned integers of the header's type. */
   #header(count: number): Float64Array {
-    const size = this.#storage.headerType === 'UInt32' ? 4 : 8
-    const bytes = this.#take(size * count)
-    const view = new DataView(bytes.buffer, bytes.byteOffset)
-    const { isLittleEndian } = this.#storage
-    return Float64Array.from({ length: count }, (_, i) =>
-      size === 4 ? view.getUint32(4 * i, isLittleEndian) : Number(view.getBigUint64(8 * i, isLittleEndian)),
-    )
+    const { headerType, isLittleEndian } = this.#storage
+    return headerNumbers(this.#take(sizeOf(headerType) * count), headerType, isLittleEndian)
   }
 
   #checkLength(bytes: number): void {

@@ -5,7 +5,7 @@ import { shown } from '../text-cursor'
 import type { XmlScanner, XmlTag } from '../xml-scanner'
 import { cellDataRank } from './vtk-cell-data'
 import { isNumberType } from './vtk-numbers'
-import { type DataArray, decompressorNamed, type Storage } from './vtu-arrays'
+import { type DataArray, decompressorNamed, type Storage, ZLIB } from './vtu-arrays'
 
 const DEEPEST = 64
 const [LESS, UNDERSCORE] = [60, 95] as const
@@ -50,22 +50,33 @@ export function refuseType(file: MeshFile, type: string): never {
 }
 
 /** The next <VTKFile> and what is needed of it; null if there is none. */
-export function scanDocument(scanner: XmlScanner, file: MeshFile, options: ReadOptions): VtkDocument | null {
+export function scanDocument(
+  scanner: XmlScanner,
+  file: MeshFile,
+  options: ReadOptions,
+  endOf: EndOf = () => null,
+): VtkDocument | null {
   for (let tag = scanner.next(); tag !== null; tag = scanner.next())
-    if (tag.kind === 'open' && tag.name === 'VTKFile') return new DocumentScan(scanner, file, options, tag).document
+    if (tag.kind === 'open' && tag.name === 'VTKFile')
+      return new DocumentScan(scanner, file, options, endOf, tag).document
   return null
 }
+
+/** A byte up to which the text of an array goes at least that begins at `from`, if that is known before it has been looked through. */
+type EndOf = (storage: Storage, from: number) => number | null
 
 class DocumentScan {
   readonly document: VtkDocument
   readonly #scanner: XmlScanner
   readonly #file: MeshFile
+  readonly #endOf: EndOf
   /** Names of the elements that are open, the root first. */
   readonly #open: string[] = ['VTKFile']
 
-  constructor(scanner: XmlScanner, file: MeshFile, options: ReadOptions, root: XmlTag) {
+  constructor(scanner: XmlScanner, file: MeshFile, options: ReadOptions, endOf: EndOf, root: XmlTag) {
     this.#scanner = scanner
     this.#file = file
+    this.#endOf = endOf
     const type = root.attributes.get('type') ?? ''
     const storage = storageOf(scanner, file, options, root)
     const document = { type, storage, pieces: [] as Piece[], sources: [] as XmlTag[], time: null, isComplete: false }
@@ -115,9 +126,16 @@ class DocumentScan {
     else if (tag.name === 'CellData' && parent === 'Piece') {
       const piece = document.pieces.at(-1)
       if (piece !== undefined) piece.globalIds = tag.attributes.get('GlobalIds') ?? null
-    } else if (tag.name === 'DataArray' && parent === 'FieldData' && isTime(tag))
-      document.time = this.#array(tag, 'TimeValue')
-    else if (tag.name === 'DataArray') {
+    } else if (tag.name === 'DataArray') this.#takeArray(tag, document, parent)
+  }
+
+  /** What is known of its text is passed before all else. */
+  #takeArray(tag: XmlTag, document: VtkDocument, parent: string | undefined): void {
+    if (tag.attributes.get('format') === 'binary' && !tag.isEmpty)
+      this.#scanner.position =
+        this.#file.unpacked?.(tag.to)?.to ?? this.#endOf(document.storage, tag.to) ?? this.#scanner.position
+    if (parent === 'FieldData' && isTime(tag)) document.time = this.#array(tag, 'TimeValue')
+    else {
       const piece = document.pieces.at(-1)
       const name = parent === 'Points' ? 'Points' : (tag.attributes.get('Name') ?? '')
       const isNeeded = parent === 'Points' || parent === 'Cells' || (parent === 'CellData' && name === 'vtkGhostType')
@@ -169,7 +187,7 @@ class DocumentScan {
         from,
         `the offset of ${shown(name)} is ${shown(offset)}, where a count of bytes was expected.`,
       )
-    const found = isEmpty ? to : this.#scanner.indexOf(LESS, to)
+    const found = isEmpty ? to : this.#scanner.indexOf(LESS, this.#scanner.position)
     const end = found < 0 ? this.#file.size : found
     this.#scanner.position = end
     return {
@@ -206,7 +224,15 @@ function storageOf(scanner: XmlScanner, file: MeshFile, options: ReadOptions, { 
       from,
       `the compressor is ${shown(compressor)}: vtkZLib-, vtkLZ4- or vtkLZMADataCompressor was expected.`,
     )
-  return { file, options, isLittleEndian: order === 'LittleEndian', headerType, decompress, appended: null }
+  return {
+    file,
+    options,
+    isLittleEndian: order === 'LittleEndian',
+    headerType,
+    decompress,
+    isZlib: compressor === ZLIB,
+    appended: null,
+  }
 }
 
 function isTime({ attributes }: XmlTag): boolean {

@@ -11,7 +11,7 @@ import { type CellData, cellDataOf } from './vtk-cell-data'
 import { firstFall, VtkMesh } from './vtk-mesh'
 import { precisionOf } from './vtk-middles'
 import type { NumberList } from './vtk-numbers'
-import { type DataArray, listOf, type ReadArray, readArray, type Storage } from './vtu-arrays'
+import { type DataArray, endOfBlocks, listOf, type ReadArray, readArray, type Storage } from './vtu-arrays'
 import {
   COLLECTION,
   GRID,
@@ -50,7 +50,7 @@ export const vtu: MeshFormat = {
   },
 
   listsIn(file) {
-    const document = scanDocument(new XmlScanner(file), file, { ...NOTHING_BESIDE, core: null })
+    const document = scanDocument(new XmlScanner(file), file, { ...NOTHING_BESIDE, core: null }, endOfBlocks)
     if (document === null) return []
     return document.pieces.flatMap(({ arrays, cells }) =>
       [...arrays.values()].flatMap(array => listOf(document.storage, array, cells)),

@@ -428,6 +428,7 @@ class XdmfReader {
         isLittleEndian: true,
         headerType: 'UInt64',
         decompress: null,
+        isZlib: false,
         appended: null,
       } as const
       const array = { name: 'DataItem', type, format: 'ascii', offset: 0, from: item.from, to: item.to } as const

@@ -1,0 +1,36 @@
+/** What a worker for batches does: one wasm instance, one piece after another. */
+import { seldom } from '../workers'
+import { type Counts, loadBatchCore, type Piece } from './batch-core'
+import { listsIn, type Wanted } from './lists'
+
+export interface BatchJob {
+  readonly piece: Piece
+  /** Memory for the answers, which will lie at its beginning (listsIn); the piece may lie in it. */
+  readonly block: ArrayBuffer
+  readonly wanted: Wanted
+}
+
+/** All memory of the job comes back, and is filled again. */
+export interface BatchAnswer extends Omit<BatchJob, 'wanted'> {
+  readonly counts: Counts
+}
+
+export type BatchJobs = {
+  /** Tells of cells of the piece that are done, where they take long. */
+  classify(job: BatchJob, tell: (done: number) => void): BatchAnswer
+}
+
+/** And how its points are held for pieces that come without any. */
+export async function startBatchJobs(module: WebAssembly.Module) {
+  const core = await loadBatchCore(module)
+  const jobs: BatchJobs = {
+    classify({ piece, block, wanted }, tell) {
+      const { validCount, invalidCount, unansweredCount, firstUnanswered, exactCount } = core.classify(piece, wanted, {
+        into: count => listsIn(block, count, wanted),
+        onProgress: seldom(tell),
+      })
+      return { counts: { validCount, invalidCount, unansweredCount, firstUnanswered, exactCount }, piece, block }
+    },
+  }
+  return { core, jobs }
+}
