@@ -43,7 +43,7 @@ function lattice(isShuffled: boolean): { points: Float64Array; cells: Uint32Arra
   return { points, cells }
 }
 
-const spawn = await threadsOf('web/core/batch/worker.ts')
+const spawn = await threadsOf('web/survey/helper.ts')
 afterAll(endThreads)
 
 /** By their bytes: millions of numbers. */

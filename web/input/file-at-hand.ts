@@ -13,8 +13,8 @@ import { type PackedPart, packedParts, type UnpackedPart, unpackedPart } from '.
 /** Bytes of a slice, and slices under way. */
 const SLICE = 8 * 1024 * 1024
 const AT_ONCE = 3
-/** Slices that a helper has under way. */
-const AHEAD = 2
+/** What another reader has under way: whoever hands it out may be busy. */
+const AHEAD = 3
 /** Shorter files are read at once anyway; longer ones stay where they are and are read in parts. */
 const SHORT = 1024 * 1024
 const LONG = 1024 * 1024 * 1024
