@@ -3,11 +3,13 @@
 #include "../../wasm/src/batch.h"
 #include "../../wasm/src/bernstein.h"
 #include "../../wasm/src/filter.h"
+#include "../../wasm/src/report.h"
 #include "check.h"
 #include "hexlens.h"
 #include "random.h"
 
 #include <float.h>
+#include <math.h>
 #include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
@@ -341,6 +343,48 @@ static void the_lanes_decide_some_and_leave_some(void) {
   }
 }
 
+/* Hints err on one side only: what they say for certain is so. */
+static void hints_are_true(void) {
+  enum { ACCEPTING = 1 << HL_CHECK_CORNERS | 1 << HL_CHECK_CORNERS_AND_CENTRE };
+  static uint8_t coincident[MANY], may_be_accepted[MANY];
+  static float about[MANY];
+  const batch_hints hints = {coincident, may_be_accepted, about};
+  const lane_kernels *kernels[5];
+  const int kernel_count = all_kernels(kernels);
+  const hl_cells cells = {.coordinates = hexahedra, .coordinate_count = (size_t)MANY * 24};
+  for (int k = 0; k < kernel_count; ++k) {
+    const char *name = name_of(kernels[k]);
+    int coincident_count = 0, refused = 0, known = 0;
+    hl_batch batch;
+    memory m = new_memory(ALL_LISTS, MANY, &batch);
+    classify_with(kernels[k], &cells, &batch, &hints, NULL);
+    for (int n = 0; n < MANY; ++n) {
+      const answer *a = &answers_alone[n];
+      uint8_t of_vertices[HL_VERTICES];
+      bool is_coincident = false;
+      find_coincidences(hexahedra + 24 * n, of_vertices);
+      for (int v = 0; v < HL_VERTICES; ++v) is_coincident = is_coincident || of_vertices[v] != v;
+      CHECK(coincident[n] == is_coincident, "%s: cell %d: coincident %d", name, n, coincident[n]);
+      coincident_count += is_coincident;
+      if (a->verdict == HL_VALID) CHECK(!may_be_accepted[n], "%s: cell %d is valid", name, n);
+      else if (!may_be_accepted[n]) {
+        CHECK(!(a->accepted_by & ACCEPTING), "%s: cell %d: accepted by %x", name, n, a->accepted_by);
+        ++refused;
+      }
+      if (isnan(about[n])) continue;
+      const double exact = isnan(a->relative_minimum) ? 0 : a->relative_minimum;
+      CHECK(fabs((double)about[n] - exact) <= 0x1p-20 * fabs(exact), "%s: cell %d: about %g, exact %g", name, n,
+            (double)about[n], exact);
+      CHECK(!isnan(a->relative_minimum) || a->element_class == HL_CLASS_COLLAPSED, "%s: cell %d: no volume", name, n);
+      ++known;
+    }
+    CHECK(coincident_count > TIMES(10) && refused > TIMES(300), "%s: %d coincident, %d refused", name, coincident_count,
+          refused);
+    CHECK(kernels[k] ? known > TIMES(500) : known == 0, "%s: %d known", name, known);
+    check_ends_and_free(&m, name);
+  }
+}
+
 /* Each list with nothing but what it needs, then subsets at random; those that lack one are refused and nothing is written. */
 static void every_subset_of_lists_is_as_alone(void) {
   enum { CELLS = 300, SUBSETS = 60 };
@@ -469,6 +513,7 @@ int main(void) {
   RUN(every_cell_is_answered_alone);
   RUN(every_list_is_as_alone);
   RUN(the_lanes_decide_some_and_leave_some);
+  RUN(hints_are_true);
   RUN(every_subset_of_lists_is_as_alone);
   RUN(every_length_is_as_alone);
   RUN(bad_cells_do_not_stop_the_others);
