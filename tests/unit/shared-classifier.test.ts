@@ -1,7 +1,7 @@
 /** Cells shared out among workers are answered as by one. */
 import { afterAll, expect, test } from 'vitest'
-import { PART } from '../../web/input/low-halves'
 import type { WorkerPort } from '../../web/core/workers'
+import { PART } from '../../web/input/low-halves'
 import { sharedClassifier } from '../../web/survey/shared-classifier'
 import { core, randomSource, unitCube } from './core-fixtures'
 import { batchCores, batchModules, endThreads, threadsOf } from './node-workers'

@@ -345,8 +345,10 @@ static void put_hints(const lane_kernels *kernels, const batch_hints *hints, siz
     const hl_verdict verdict = b->verdicts[c];
     if (hints->coincident)
       hints->coincident[cell] = verdict != HL_UNANSWERED && has_coincident_vertices(vertices, verdict == HL_VALID);
-    if (hints->may_be_accepted)
-      hints->may_be_accepted[cell] = verdict == HL_INVALID && may_be_accepted(vertices, b->out.corner_minima[c]);
+    if (hints->accepted_by)
+      hints->accepted_by[cell] = verdict == HL_INVALID && may_be_accepted(vertices, b->out.corner_minima[c])
+                                     ? (uint8_t)corner_checks_that_accept(vertices)
+                                     : 0;
     if (hints->relative_minima)
       hints->relative_minima[cell] =
           kernels && verdict != HL_UNANSWERED && b->out.exponents[c] == 0
@@ -379,7 +381,7 @@ static void hand_on(const block *b, size_t first, hl_batch *batch, batch_stages 
 }
 
 static bool asks_for_hints(const batch_hints *hints) {
-  return hints->coincident || hints->may_be_accepted || hints->relative_minima;
+  return hints->coincident || hints->accepted_by || hints->relative_minima;
 }
 
 hl_status classify_with(const lane_kernels *kernels, const hl_cells *cells, hl_batch *batch, const batch_hints *hints,

@@ -14,7 +14,7 @@ typedef struct batch_stages {
    are 0, the number NaN. */
 typedef struct batch_hints {
   uint8_t *coincident;      /* 1 where two vertices or more are at one position */
-  uint8_t *may_be_accepted; /* 0 for a valid cell, and for an invalid one that neither corners nor VTK accept, (S2) */
+  uint8_t *accepted_by;     /* of an invalid cell which of CORNER_CHECKS accept it, bit 1 << c; else 0 */
   float *relative_minima;   /* within 2^-20, (L5); NaN where that is not certain */
 } batch_hints;
 

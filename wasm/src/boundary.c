@@ -132,10 +132,14 @@ static double on_element(const checked *e, double value) {
   return e->verdict == HL_VALID && value < e->minimum ? e->minimum : value;
 }
 
-static double fill_checks(const checked *e, double checks[HL_CHECKS]) {
+static double scaled_jacobian_of(const checked *e) {
   middle_point middle = e->middle;
   middle.jacdet = on_element(e, middle.jacdet);
-  const double scaled_jacobian = least_scaled_jacobian(e->edges, e->bernstein, &middle, e->given.exponent);
+  return least_scaled_jacobian(e->edges, e->bernstein, &middle, e->given.exponent);
+}
+
+static double fill_checks(const checked *e, double checks[HL_CHECKS]) {
+  const double scaled_jacobian = scaled_jacobian_of(e);
   checks[HL_CHECK_CORNERS] = e->corner_minimum;
   checks[HL_CHECK_CORNERS_AND_CENTRE] = scaled_jacobian_of_verdict(e->vertices, scaled_jacobian);
   checks[HL_CHECK_GAUSS_2] = on_element(e, least_at_gauss_points(e->bernstein, 2));
@@ -292,30 +296,48 @@ static unsigned accepting(const double checks[HL_CHECKS]) {
   return bits;
 }
 
+/* What the checks are made of, all but the edges' minimum; false where doubles leave the verdict open. */
+static bool find_sources(const double vertices[24], edge_vectors *edges, double bernstein[27], checked *e) {
+  scaled_edge_vectors(vertices, edges);
+  jacdet_bernstein(edges, bernstein);
+  const double permanent = greatest_permanent(edges);
+  *e = (checked){.vertices = vertices,
+                 .bernstein = bernstein,
+                 .edges = edges,
+                 .given = {.error = CENTRE_ERROR * permanent + UNDERFLOW_ERROR, .exponent = jacdet_exponent(edges)},
+                 .middle = middle_in_doubles(edges, bernstein),
+                 .corner_minimum = bernstein[vertex_index(0)],
+                 .minimum = least_candidate(bernstein, HL_ROOTS_B).value};
+  for (int v = 1; v < HL_VERTICES; ++v) e->corner_minimum = smaller(e->corner_minimum, bernstein[vertex_index(v)]);
+  return is_settled_by_doubles(bernstein, permanent, e->minimum, &e->verdict);
+}
+
+static unsigned accepting_exactly(const double vertices[24]) {
+  hl_report report;
+  analyze_exactly(vertices, &report);
+  return accepting(report.checks);
+}
+
 unsigned checks_that_accept(const double vertices[24]) {
   edge_vectors edges;
   double bernstein[27], checks[HL_CHECKS];
-  scaled_edge_vectors(vertices, &edges);
-  jacdet_bernstein(&edges, bernstein);
-  const double permanent = greatest_permanent(&edges);
-  checked e = {.vertices = vertices,
-               .bernstein = bernstein,
-               .edges = &edges,
-               .given = {.error = CENTRE_ERROR * permanent + UNDERFLOW_ERROR, .exponent = jacdet_exponent(&edges)},
-               .middle = middle_in_doubles(&edges, bernstein),
-               .minimum = least_candidate(bernstein, HL_ROOTS_B).value};
-  if (!is_settled_by_doubles(bernstein, permanent, e.minimum, &e.verdict)) {
-    hl_report report;
-    analyze_exactly(vertices, &report);
-    return accepting(report.checks);
-  }
-  e.corner_minimum = bernstein[vertex_index(0)];
-  for (int v = 1; v < HL_VERTICES; ++v) e.corner_minimum = smaller(e.corner_minimum, bernstein[vertex_index(v)]);
+  checked e;
+  if (!find_sources(vertices, &edges, bernstein, &e)) return accepting_exactly(vertices);
   hl_candidate candidate = {.value = e.corner_minimum};
   for (int edge = 0; edge < HL_EDGES; ++edge) edge_candidate(bernstein, edge, candidate.value, &candidate);
   e.edge_minimum = candidate.value;
   fill_checks(&e, checks);
   return accepting(checks);
+}
+
+unsigned corner_checks_that_accept(const double vertices[24]) {
+  edge_vectors edges;
+  double bernstein[27];
+  checked e;
+  if (!find_sources(vertices, &edges, bernstein, &e)) return accepting_exactly(vertices) & CORNER_CHECKS;
+  const double scaled_jacobian = scaled_jacobian_of_verdict(vertices, scaled_jacobian_of(&e));
+  return (unsigned)(e.corner_minimum > 0) << HL_CHECK_CORNERS |
+         (unsigned)(scaled_jacobian > 0) << HL_CHECK_CORNERS_AND_CENTRE;
 }
 
 hl_status hl_boundary_minimum(const double vertices[24], hl_variant variant, hl_minimum *minimum) {

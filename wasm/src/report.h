@@ -47,6 +47,10 @@ hl_class class_of(const double vertices[HL_COORDINATES], hl_verdict verdict);
 /* Bit 1 << c for each check c whose number in the report is positive. */
 unsigned checks_that_accept(const double vertices[HL_COORDINATES]);
 
+/* The same of these two alone, which is sooner known. */
+enum { CORNER_CHECKS = 1 << HL_CHECK_CORNERS | 1 << HL_CHECK_CORNERS_AND_CENTRE };
+unsigned corner_checks_that_accept(const double vertices[HL_COORDINATES]);
+
 /* Finds the least vertex at each vertex's position; returns the shape that they make. */
 hl_shape find_coincidences(const double vertices[HL_COORDINATES], uint8_t coincident[HL_VERTICES]);
 

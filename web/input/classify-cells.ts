@@ -3,6 +3,7 @@ import { type BatchCore, type BatchOptions, loadBatchCore } from '../core/batch/
 import { type Answers, answersOf, emptyLists, STATUSES, type Wanted } from '../core/batch/lists'
 import type { Core, Report } from '../core/report'
 import { CHECKS, CLASSES } from '../core/unpack'
+import { CORNERS, VTK } from '../mesh/accepted-invalid'
 import type { ClassifyCells } from '../mesh/check'
 import { verticesOf } from '../mesh/vertices-of'
 
@@ -74,11 +75,11 @@ function put(
     volumes.values[cell] = report.volume
     volumes.exponents[cell] = report.volumeExponent
   }
-  if (acceptedBy)
-    acceptedBy[cell] = report.checks.reduce((mask, { id, passes }) => mask | (Number(passes) << CHECKS.indexOf(id)), 0)
-  const { coincident, mayBeAccepted, relativeAbout } = hints
+  const accepting = report.checks.reduce((mask, { id, passes }) => mask | (Number(passes) << CHECKS.indexOf(id)), 0)
+  if (acceptedBy) acceptedBy[cell] = accepting
+  const { coincident, acceptedInvalid, relativeAbout } = hints
   if (coincident) coincident[cell] = Number(report.coincident.length > 0)
-  if (mayBeAccepted) mayBeAccepted[cell] = Number(!report.valid)
+  if (acceptedInvalid) acceptedInvalid[cell] = report.valid ? 0 : accepting & (CORNERS | VTK)
   if (relativeAbout) relativeAbout[cell] = Number.NaN
 }
 

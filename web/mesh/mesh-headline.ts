@@ -1,15 +1,15 @@
 /** The sentence on top of a mesh's page. */
-import { type AcceptedInvalid, acceptedInvalid } from './accepted-invalid'
+import { acceptedInvalid } from './accepted-invalid'
 import type { MeshCheck } from './mesh-check'
 
 /** "12 of 88,432 hexahedra are invalid. The eight corners would accept 7 of them, VTK’s scaled Jacobian 9." */
-export function headlineOf(check: MeshCheck, accepted: AcceptedInvalid = acceptedInvalid(check)): string {
+export function headlineOf(check: MeshCheck): string {
   const { hexahedra, invalid, unanswered } = check
   const open = unanswered === 0 ? '' : ` ${grouped(unanswered)} ${unanswered === 1 ? 'is' : 'are'} unanswered.`
   if (invalid === 0) return unanswered === hexahedra ? noneAnswered(hexahedra) : `${noneInvalid(check)}${open}`
   const [are, them] = invalid === 1 ? ['is', 'it'] : ['are', 'them']
   const of = hexahedra === 1 ? 'The hexahedron is' : `${grouped(invalid)} of ${grouped(hexahedra)} hexahedra ${are}`
-  const { corners, vtk } = accepted
+  const { corners, vtk } = acceptedInvalid(check)
   const others =
     corners + vtk === 0
       ? `The eight corners and VTK’s scaled Jacobian reject ${them}, too.`

@@ -3,7 +3,6 @@ import { cellClassifier } from '../input/classify-cells'
 import type { PastedInput } from '../input/pasted-input'
 import type { ReadingProgress } from '../input/reading'
 import { coreOf, meshOf, type ReadingEngine, refusalOf, toldSeldom } from '../input/serve-reading'
-import { acceptedOfInvalid } from '../mesh/accepted-invalid'
 import { checkMesh } from '../mesh/check'
 import { MeshRefusal } from '../mesh/mesh'
 import type { MeshCheck } from '../mesh/mesh-check'
@@ -26,7 +25,7 @@ const OPTIONS = {
   worst: Infinity,
   minRelative: null,
   skipsDegenerate: false,
-  lists: { minima: true, volumes: true, mayBeAccepted: true },
+  lists: { minima: true, volumes: true, acceptedInvalid: true },
 } as const
 
 /** All jobs of a worker in whose mesh nothing is selected, changed or written. */
@@ -40,7 +39,7 @@ export function jobsOfLooking(engine: ReadingEngine): LookingJobs {
     const classify = cellClassifier(core, engine.batchModule, onProgress)
     const check = await checkMesh(mesh, { classify, core }, OPTIONS)
     const survey = new Survey(check, { core, meeting: null })
-    const overview = survey.overview(nameOf(input), null, await acceptedOfInvalid(check, classify))
+    const overview = survey.overview(nameOf(input))
     if (check.hexahedra === 0) throw noHexahedra(check, overview.sentences)
     open = new OpenedSurvey(survey, null, classify)
     return { opened: overview }

@@ -1,7 +1,6 @@
 /** Jobs of a mesh that moves. */
 import { MOVES } from '../core/repair/untangling'
 import type { Core } from '../core/report'
-import { acceptedOfInvalid } from '../mesh/accepted-invalid'
 import type { ClassifyCells } from '../mesh/check'
 import type { MeshCheck } from '../mesh/mesh-check'
 import type { MeshFile } from '../mesh/source'
@@ -40,8 +39,7 @@ export function movingJobs(opened: () => Moving, put: (survey: OpenedSurvey) => 
     const own = new Survey(check, { core, meeting }, before)
     put(new OpenedSurvey(own, null, classify))
     const wholeOrder = await wholeOrderOf(check, { classify, core })
-    const accepted = await acceptedOfInvalid(check, classify)
-    return { opened: own.overview(name, wholeOrder, accepted), movement: countsOf(opened()) }
+    return { opened: own.overview(name, wholeOrder), movement: countsOf(opened()) }
   }
 
   return {

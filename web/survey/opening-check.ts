@@ -14,7 +14,7 @@ import { verticesOf } from '../mesh/vertices-of'
 import { FEW, worstFirst } from '../mesh/worst'
 
 /** Lists that the page shows; which checks accept a cell, and minimizers, are asked for when they are. */
-const LISTS = { minima: true, minimizers: false, volumes: true, exact: true, mayBeAccepted: true } as const
+const LISTS = { minima: true, minimizers: false, volumes: true, exact: true, acceptedInvalid: true } as const
 
 /** What is asked of all cells of a mesh that is opened in two steps, at first. */
 export const FIRST_LISTS = { ...LISTS, ...NEEDED, volumes: false, relativeMinima: false, relativeAbout: true } as const

@@ -1,5 +1,4 @@
 /** What is said of a mesh on top. */
-import type { AcceptedInvalid } from '../mesh/accepted-invalid'
 import { countSentences } from '../mesh/check-summary'
 import { inParts } from '../mesh/in-parts'
 import type { Mesh } from '../mesh/mesh'
@@ -18,12 +17,10 @@ export function overviewOf(
     worst,
     bounds,
     wholeOrder,
-    accepted,
   }: {
     readonly worst: readonly Row[]
     readonly bounds: Bounds | null
     readonly wholeOrder: NodeOrder | null
-    readonly accepted: AcceptedInvalid | undefined
   },
 ): Overview {
   const { mesh, hexahedra } = check
@@ -32,7 +29,7 @@ export function overviewOf(
   return {
     name,
     format: mesh.format,
-    headline: headlineOf(check, accepted),
+    headline: headlineOf(check),
     sentences: [...added, ...countSentences(check, OPTIONS), ...own],
     hexahedra,
     counts: { valid: check.valid, invalid: check.invalid, unanswered: check.unanswered, degenerate: 0 },

@@ -27,7 +27,7 @@ export async function recheck(
   { classify, core }: { readonly classify: ClassifyCells; readonly core: Core },
 ): Promise<MeshCheck> {
   const some = cellsWith(mesh, moved)
-  const wanted = { ...NEEDED, minima: true, volumes: true, exact: true, mayBeAccepted: true } as const
+  const wanted = { ...NEEDED, minima: true, volumes: true, exact: true, acceptedInvalid: true } as const
   const found = await classify(mesh.points, cellsAt(mesh.cells, some), wanted)
   const answers = put(found, before.answers, some)
   const known = (points: Float64Array, cells: Uint32Array, lists: object) =>
@@ -47,7 +47,7 @@ function put(found: CheckAnswers, all: CheckAnswers, some: Uint32Array): CheckAn
     [found.classes, all.classes, 1],
     [found.coincident, all.coincident, 1],
     [found.relativeMinima, all.relativeMinima, 1],
-    [found.mayBeAccepted ?? undefined, all.mayBeAccepted ?? undefined, 1],
+    [found.acceptedInvalid ?? undefined, all.acceptedInvalid ?? undefined, 1],
     [found.exact ?? undefined, all.exact ?? undefined, 1],
     [found.minima?.values, all.minima?.values, 1],
     [found.minima?.minimizers, all.minima?.minimizers, 3],

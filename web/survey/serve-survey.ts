@@ -12,7 +12,6 @@ import {
   refusalOf,
   toldSeldom,
 } from '../input/serve-reading'
-import { acceptedOfInvalid } from '../mesh/accepted-invalid'
 import { checkMesh } from '../mesh/check'
 import { type Mesh, MeshRefusal } from '../mesh/mesh'
 import type { MeshCheck } from '../mesh/mesh-check'
@@ -81,8 +80,7 @@ async function decided(name: string, mesh: Mesh, { core, classifier }: Tools, be
   const boundsMeanwhile = turn().then(() => boundsOf(mesh))
   const { check, finish } = await openingCheck(mesh, { classify, core })
   const survey = new Survey(check, { core, meeting }, before, await boundsMeanwhile)
-  const wholeOrder = await wholeOrderOf(check, { classify, core })
-  const overview = survey.overview(name, wholeOrder, await acceptedOfInvalid(check, classify))
+  const overview = survey.overview(name, await wholeOrderOf(check, { classify, core }))
   if (check.hexahedra === 0) throw noHexahedra(check, overview.sentences)
   return { survey, finish, overview }
 }

@@ -1,7 +1,6 @@
 /** An open mesh with the answers of all its cells, in its worker: what the page shows of it is asked here. */
 import type { CheckId } from '../core/report'
 import { CHECKS, CLASSES } from '../core/unpack'
-import type { AcceptedInvalid } from '../mesh/accepted-invalid'
 import { CheckedCells, columnsOf } from '../mesh/checked-cells'
 import { histogramOf } from '../mesh/histogram'
 import type { MeshCheck } from '../mesh/mesh-check'
@@ -92,13 +91,10 @@ export class Survey {
     return to <= this.check.worst.length
   }
 
-  /**
-   * `wholeOrder` is the order in which all cells are valid, if theirs is not; `accepted` is how many of the invalid ones others accept, if the
-   * check does not have the list.
-   */
-  overview(name: string, wholeOrder: NodeOrder | null = null, accepted?: AcceptedInvalid): Overview {
+  /** `wholeOrder` is the order in which all cells are valid, if theirs is not. */
+  overview(name: string, wholeOrder: NodeOrder | null = null): Overview {
     const worst = [...this.check.worst.subarray(0, FEW)].map(cell => this.#rowOf(cell))
-    return overviewOf(name, this.check, { worst, bounds: this.#bounds, wholeOrder, accepted })
+    return overviewOf(name, this.check, { worst, bounds: this.#bounds, wholeOrder })
   }
 
   rows(from: number, to: number): readonly Row[] {

@@ -5,9 +5,9 @@
 import type { CoreError, Result } from '../report'
 import { Pool, type PoolOptions, unlessAborted } from '../workers'
 import { type Counts, cellCount, NOTHING_COUNTED, type Piece, sumOfCounts } from './batch-core'
+import type { BatchJobs } from './batch-jobs'
 import { type Answers, answersOf, bytesPerCell, emptyLists, listsIn, putLists, type Wanted, wantedOf } from './lists'
 import { type Cut, isWhole, pieces, Recycled } from './pieces'
-import type { BatchJobs } from './batch-jobs'
 
 export interface Progress {
   /** Cells. */

@@ -14,7 +14,7 @@ export interface Wanted {
   readonly statuses?: boolean
   readonly coincident?: boolean
   /** Only together with minima. */
-  readonly mayBeAccepted?: boolean
+  readonly acceptedInvalid?: boolean
   /** Only together with minima. */
   readonly relativeAbout?: boolean
 }
@@ -50,8 +50,8 @@ interface AllLists {
   readonly statuses: Uint8Array
   /** 1 for a cell that has two vertices or more at one position. */
   readonly coincident: Uint8Array
-  /** 0 for a valid cell, and for an invalid one that neither the corners nor VTK's scaled Jacobian accept: 1 is a hint only. */
-  readonly mayBeAccepted: Uint8Array
+  /** Of an invalid cell whether the corners and VTK's scaled Jacobian accept it, as in `acceptedBy`; else 0. */
+  readonly acceptedInvalid: Uint8Array
   /** The relative minimum within `ABOUT` of itself; NaN where that is not certain. */
   readonly relativeAbout: Float32Array
 }
@@ -99,7 +99,7 @@ const LISTS: readonly Description[] = [
   { askedBy: 'volumes', type: Float64Array, each: 1 },
   { askedBy: 'volumes', type: Int16Array, each: 1 }, // exponents
   { askedBy: 'coincident', type: Uint8Array, each: 1 },
-  { askedBy: 'mayBeAccepted', type: Uint8Array, each: 1 },
+  { askedBy: 'acceptedInvalid', type: Uint8Array, each: 1 },
   { askedBy: 'relativeAbout', type: Float32Array, each: 1 },
 ]
 
@@ -177,7 +177,7 @@ export function addressesOf(lists: Lists, first: number): number[] {
 /** The lists by name. The first holds verdicts, whose HL_VALID is 1, or already 1 and 0. */
 export function answersOf(lists: Lists): Answers {
   const [valid, statuses, exact, classes, acceptedBy, values, minimizers, cornerMinima, exponents, ...more] = lists
-  const [relativeMinima, volumes, volumeExponents, coincident, mayBeAccepted, relativeAbout] = more
+  const [relativeMinima, volumes, volumeExponents, coincident, acceptedInvalid, relativeAbout] = more
   return {
     valid,
     minima: values && { values, minimizers: minimizers ?? new Float64Array(0), cornerMinima, exponents },
@@ -188,7 +188,7 @@ export function answersOf(lists: Lists): Answers {
     exact,
     statuses,
     coincident,
-    mayBeAccepted,
+    acceptedInvalid,
     relativeAbout,
   } as Answers
 }
