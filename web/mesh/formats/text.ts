@@ -16,6 +16,10 @@ import { meshOfNumbers } from '../snippets/plain-numbers'
 import { Tokens } from '../snippets/tokens'
 import type { MeshFile, MeshFormat, ReadOptions } from '../source'
 
+/** A point whose x, y and z stand on a line each: YAML, and structures as debuggers and languages print them. */
+const POINT_ON_LINES =
+  /(?<![\w.])(["']?x["']?\s?[:=]\s?[-+\d.e]{1,40},?)\s{1,80}(["']?y["']?\s?[:=]\s?[-+\d.e]{1,40},?)\s{1,80}(["']?z["']?\s?[:=])/gi
+
 export const text: MeshFormat = {
   name: 'text',
   recognizes: head => (isText(head) ? 'maybe' : 'no'),
@@ -23,7 +27,7 @@ export const text: MeshFormat = {
     if (file.size > LARGEST_STRING) return [meshOfNumbers(file, options)]
     const whole = snippetText(file)
     if (whole === null) throw new MeshRefusal(`${file.name}: this is binary, and in no format that is known here.`)
-    return [meshOfText(withoutTags(whole), file, options)]
+    return [meshOfText(withoutTags(whole).replace(POINT_ON_LINES, '$1 $2 $3'), file, options)]
   },
 }
 

@@ -75,9 +75,9 @@ function tableOf(names: readonly string[], rows: number[][], digits: number): Nu
   return numberTable(rows, false, { names, digits })
 }
 
-const SET_ID = /\bSetId\(\s?(\d{1,9})\s?,\s?(\d{1,9})\s?\)/g
+const SET_ID = /\b(?:SetId|set_node)\(\s?(\d{1,9})\s?(?:\)\s?=|,)\s?[^\d\n;]{0,40}(\d{1,9})\s?\)/g
 
-/** The nodes of cells that VTK's SetId(0, …) to SetId(7, …) set one by one. */
+/** The nodes of cells that VTK's SetId(0, …) to SetId(7, …), or libMesh's set_node, set one by one. */
 export function tablesOfSetIds(text: string): NumberTable[] {
   const rows: number[][] = []
   for (const [, place, id] of text.matchAll(SET_ID)) {

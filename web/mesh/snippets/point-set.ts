@@ -11,7 +11,7 @@ import {
   transposed,
   widthOf,
 } from './number-table'
-import { CELL_NAME, isNamed, NO_CELL_NAME, POINT_NAME, TRIANGLE_NAME } from './table-names'
+import { CELL_NAME, isNamed, LIST_MAKER, NO_CELL_NAME, POINT_NAME, TRIANGLE_NAME } from './table-names'
 
 /** Points, with what the text calls them. */
 export interface PointSet {
@@ -31,7 +31,8 @@ export function withAxesJoined(tables: readonly NumberTable[]): NumberTable[] {
   for (const table of tables) {
     joined.push(table)
     const three = joined.slice(-3)
-    const ends = three.map(({ names }) => (names.at(-1) ?? '').toLowerCase().replace(/s$/, '').at(-1)).join('')
+    const nameOf = ({ names }: NumberTable) => names.findLast(name => !LIST_MAKER.test(name)) ?? ''
+    const ends = three.map(own => nameOf(own).toLowerCase().replace(/s$/, '').at(-1)).join('')
     const [width] = three.map(widthOf)
     const areAlike = three.every(other => other.rows.length === 1 && widthOf(other) === width)
     if (ends !== 'xyz' || !areAlike || (width ?? 0) < EIGHT) continue
@@ -145,6 +146,9 @@ function numberedPoints(
       const labels = first.map(String)
       return { points: from(2), ids: named(second), labels, table }
     }
+    // FEAP and Z88 have a number of their own behind that of the node, Gmsh's scripts a size before it.
+    if (table.integers[1] && isConstant(second) && isId(first, 0)) return set(from(2), named(first))
+    if (isReference && isConstant(columns[3] as number[])) return set(from(0), named(last))
     if (areAllIntegers(table)) return null
   }
   if (table.rows.length % EIGHT !== 0) return null

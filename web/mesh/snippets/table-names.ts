@@ -11,6 +11,9 @@ export const HEXAHEDRON_NAME = /hex|brick|c3d8|q1|cube/i
 export const OTHER_CELL_NAME = /(?:^|\.)(?:line|edge|triangle|tri|quad|tetra|tet|prism|wedge|pyramid)s?\d*$/i
 export const TRIANGLE_NAME = /tri|face|index|indic|simpli|^t$|\.t$/i
 
+/** Functions that make a list in some language, and name none. */
+export const LIST_MAKER = /(?:^|\.)(?:array|matrix|list|vector)$/i
+
 export function isNamed({ names }: NumberTable, pattern: RegExp): boolean {
   return names.some(name => pattern.test(name))
 }

@@ -1,0 +1,153 @@
+/** Rarer ways in which texts have points and cells, each with one hexahedron whose vertices are all different. */
+import { describe, expect, test } from 'vitest'
+import { type Mesh, MeshRefusal } from '../../web/mesh/mesh'
+import { readMeshes } from '../../web/mesh/read-mesh'
+import { textFile, verticesOf } from './mesh-expectations'
+
+const POINTS = [
+  [0.5, 0.25, -1],
+  [2, 0, 0.125],
+  [2.5, 1.5, 0],
+  [0, 1, 0.75],
+  [0, 0.5, 2],
+  [1.5, 0, 2.25],
+  [3, 2, 3],
+  [0.25, 1, 2],
+] as const
+type Point = (typeof POINTS)[number]
+const ELEMENT = POINTS.flat()
+/** Points and nodes in rows of x, y and z. */
+const [SORTED, NODES] = [[0, 1, 3, 2, 4, 5, 7, 6].map(v => POINTS[v] as Point), [1, 2, 4, 3, 5, 6, 8, 7]]
+
+const each = (line: (point: Point, i: number) => string, points: readonly Point[] = POINTS) =>
+  points.map(line).join('\n')
+
+function meshOf(text: string, name = 'a.txt'): Mesh {
+  const meshes = readMeshes(textFile(name, text))
+  expect(meshes).toHaveLength(1)
+  return meshes[0] as Mesh
+}
+
+function refusal(text: string): string {
+  try {
+    return `read as ${meshOf(text).format}`
+  } catch (error) {
+    if (error instanceof MeshRefusal) return error.message
+    throw error
+  }
+}
+
+const decimal = (value: number) => value.toFixed(3).replace('.', ',')
+
+describe('points', () => {
+  test.each<readonly [string, string]>([
+    ['decimal commas in quotes', each(p => p.map(x => `"${decimal(x)}"`).join(';'))],
+    ['decimal commas in brackets', each((p, i) => `P${i + 1} = (${p.map(decimal).join('; ')})`)],
+    ['decimal commas before commas', each(p => p.map(decimal).join(', '))],
+    ['a table with bars of a box', each(p => `│ ${p.join(' ┆ ')} │`)],
+    ['numbers over the columns', `   0  1  2\n${each((p, i) => `${i} ${p.map(x => x.toFixed(3)).join(' ')}`)}`],
+    ['floats of Julia', each(p => `Point{3, Float32}(${p.map(x => `${x.toFixed(3)}f0`).join(', ')})`)],
+    [
+      'numbers of Mathematica with their precision',
+      `{${each(p => `{${p.map(x => `${x}\`15.95`).join(', ')}}`).replaceAll('\n', ', ')}}`,
+    ],
+    ['a line for each coordinate', each(([x, y, z]) => `- x: ${x}\n  y: ${y}\n  z: ${z}`)],
+    ['structures', each(([x, y, z]) => `Vec3 {\n    x: ${x},\n    y: ${y},\n    z: ${z},\n},`)],
+    [
+      'three calls of a library',
+      ['x', 'y', 'z'].map((axis, k) => `${axis} = np.array([${POINTS.map(p => p[k])}])`).join('\n'),
+    ],
+    ['a second number behind that of the node', each((p, i) => `${i + 1} 0 ${p.join(' ')}`)],
+    ['a size and a number behind', each((p, i) => `model.geo.addPoint(${p.join(', ')}, 1.0, ${i + 1})`)],
+    ['ends of lines of old Macs', each(p => p.join(' ')).replaceAll('\n', '\r')],
+  ])('%s', (_, text) => {
+    const mesh = meshOf(text)
+    expect(verticesOf(mesh, 0)).toEqual(ELEMENT)
+    expect([mesh.cells.length, mesh.isOrderStated]).toEqual([8, false])
+  })
+
+  test('thousands of a German table', () => {
+    const text = each(p =>
+      p.map(x => (1000 * (x + 2)).toLocaleString('de-DE', { minimumFractionDigits: 2 })).join('\t'),
+    )
+    expect(text).toContain('2.125,00')
+    expect(verticesOf(meshOf(text), 0)).toEqual(ELEMENT.map(x => 1000 * (x + 2)))
+  })
+})
+
+describe('points and cells', () => {
+  const calls = each((p, i) => `ops.node(${i + 1}, ${p.join(', ')})`, SORTED)
+  test.each<readonly [string, string]>([
+    ['a material behind the nodes', `${calls}\nops.element('stdBrick', 1, ${NODES.join(', ')}, 1)`],
+    ['the same without a number', `${each(p => p.join(' '), SORTED)}\n\nhex\n${NODES.join(' ')} 1`],
+    [
+      'lists in the function of a mesh',
+      `ElementMesh[{${each(p => `{${p.join(', ')}}`, SORTED).replaceAll('\n', ', ')}}, {HexahedronElement[{{${NODES}}}]}]`,
+    ],
+    [
+      'objects of points and of elements',
+      JSON.stringify({
+        nodes: SORTED.map((coords, i) => ({ id: i + 1, coords })),
+        elements: [{ id: 7, type: 'hexa8', nodes: NODES }],
+      }),
+    ],
+    [
+      'lists in quotes',
+      `nodal_positions = '${each(p => p.join(' '), SORTED)}'\nelement_connectivity = '${NODES.map(n => n - 1).join(' ')}'`,
+    ],
+    [
+      'nodes set one by one',
+      `${each((p, i) => `mesh.add_point(Point(${p.join(', ')}), ${i});`, SORTED)}\n${NODES.map((node, i) => `elem->set_node(${i}) = mesh.node_ptr(${node - 1});`).join('\n')}`,
+    ],
+  ])('%s', (_, text) => {
+    const mesh = meshOf(text)
+    expect(verticesOf(mesh, 0)).toEqual(ELEMENT)
+    expect([mesh.cells.length, mesh.isOrderStated]).toEqual([8, true])
+  })
+})
+
+test.each([
+  ['invalid', (p: Point, i: number) => (i === 6 ? [0.5, 0.5, 0.5] : p)],
+  ['mirrored', ([x, y, z]: Point) => [-x, y, z]],
+])('eight nodes of ten numbers, in an element that is %s', (_, placed) => {
+  const points = POINTS.map(placed)
+  const text = `nodes\n${points.map((p, i) => `${i + 1} ${p.join(' ')}`).join('\n')}\nelements\n1 1 2 3 4 5 6 7 8 1\n`
+  expect(verticesOf(meshOf(text), 0)).toEqual(points.flat())
+})
+
+describe('formats', () => {
+  test('MFEM: meshes of NURBS patches are refused by name', () => {
+    expect(refusal(`MFEM NURBS NC-patch mesh v1.0\n\ndimension\n3\n${each(p => p.join(' '))}\n`)).toMatch(
+      /^a\.txt, line 1: this is an MFEM NURBS NC-patch mesh; /,
+    )
+  })
+
+  test('LS-DYNA: words beside their columns', () => {
+    const line = (first: number, rest: readonly (number | string)[], width: number) =>
+      `${String(first).padStart(9)}${rest.map(value => String(value).padStart(width)).join('')}`
+    for (const id of [7, 12]) {
+      const nodes = POINTS.map((p, i) => line(i + 1, p, 16)).join('\n')
+      const text = `*KEYWORD\n*NODE\n${nodes}\n*ELEMENT_SOLID\n${line(id, [1, 1, 2, 3, 4, 5, 6, 7, 8], 8)}\n*END\n`
+      const mesh = meshOf(text, 'a.k')
+      expect([Array.from(mesh.ids as Float64Array), verticesOf(mesh, 0)]).toEqual([[id], ELEMENT])
+    }
+  })
+
+  test('Kratos: geometries beside elements are the same cells', () => {
+    const nodes = `Begin Nodes\n${each((p, i) => `${i + 1} ${p.join(' ')}`)}\nEnd Nodes\n`
+    const geometries = 'Begin Geometries Hexahedra3D8\n3 1 2 3 4 5 6 7 8\nEnd Geometries\n'
+    const elements = 'Begin Elements Element3D8N\n7 0 1 2 3 4 5 6 7 8\nEnd Elements\n'
+    expect(Array.from(meshOf(nodes + elements + geometries).ids as Float64Array)).toEqual([7])
+    expect(Array.from(meshOf(nodes + geometries).ids as Float64Array)).toEqual([3])
+  })
+
+  test('SU2: borders of parts', () => {
+    const text = `NDIME= 3\nNELEM= 1\n12 0 1 2 3 4 5 6 7\nNPOIN= 8\n${each(p => p.join(' '))}\nNMARK= 1\nMARKER_TAG= SEND_RECEIVE\nMARKER_ELEMS= 1\nSEND_TO= 1\n1 0 0\n`
+    expect(verticesOf(meshOf(text), 0)).toEqual(ELEMENT)
+  })
+
+  test('Abaqus: ends of lines of old Macs', () => {
+    const text = `*NODE\n${each((p, i) => `${i + 1}, ${p.join(', ')}`)}\n*ELEMENT, TYPE=C3D8\n1,1,2,3,4,5,6,7,8\n`
+    expect(verticesOf(meshOf(text.replaceAll('\n', '\r'), 'a.inp'), 0)).toEqual(ELEMENT)
+  })
+})
