@@ -108,7 +108,7 @@ describe('points and cells', () => {
 
 test.each([
   ['invalid', (p: Point, i: number) => (i === 6 ? [0.5, 0.5, 0.5] : p)],
-  ['mirrored', ([x, y, z]: Point) => [-x, y, z]],
+  ['mirrored', ([x, y, z]: Point) => [10 - x, y, z]],
 ])('eight nodes of ten numbers, in an element that is %s', (_, placed) => {
   const points = POINTS.map(placed)
   const text = `nodes\n${points.map((p, i) => `${i + 1} ${p.join(' ')}`).join('\n')}\nelements\n1 1 2 3 4 5 6 7 8 1\n`
@@ -149,5 +149,18 @@ describe('formats', () => {
   test('Abaqus: ends of lines of old Macs', () => {
     const text = `*NODE\n${each((p, i) => `${i + 1}, ${p.join(', ')}`)}\n*ELEMENT, TYPE=C3D8\n1,1,2,3,4,5,6,7,8\n`
     expect(verticesOf(meshOf(text.replaceAll('\n', '\r'), 'a.inp'), 0)).toEqual(ELEMENT)
+  })
+})
+
+describe('decks without their end', () => {
+  const nodes = POINTS.map((p, i) => [i + 1, ...p] as const)
+  const bdf = `BEGIN BULK\n${nodes.map(([id, ...p]) => `GRID,${id},,${p.map(x => x.toFixed(3))}`).join('\n')}\nCHEXA,7,1,1,2,3,4,5,6\n,7,8\n`
+  const key = `*KEYWORD\n*NODE\n${nodes.map(row => row.join(',')).join('\n')}\n*ELEMENT_SOLID\n7,2,1,2,3,4,5,6,7,8\n`
+  test.each([
+    ['a.bdf', bdf, 'ENDDATA'],
+    ['a.k', key, '*END'],
+  ])('%s', (name, text, end) => {
+    expect(meshOf(text, name).notes).toEqual([`The text does not end with ${end}: it may be cut off.`])
+    expect(meshOf(`${text}${end}\n`, name).notes).toEqual([])
   })
 })
