@@ -60,6 +60,20 @@ describe('points', () => {
     ['a second number behind that of the node', each((p, i) => `${i + 1} 0 ${p.join(' ')}`)],
     ['a size and a number behind', each((p, i) => `model.geo.addPoint(${p.join(', ')}, 1.0, ${i + 1})`)],
     ['ends of lines of old Macs', each(p => p.join(' ')).replaceAll('\n', '\r')],
+    ['powers of ten as papers have them', each(p => p.map(x => `${1000 * x}×10⁻³`).join('  '))],
+    ['powers of ten of LaTeX', each(p => `${p.map(x => `${x / 100} \\times 10^{2}`).join(' & ')} \\\\`)],
+    ['decimal commas of LaTeX', each(p => `${p.map(x => decimal(x).replace(',', '{,}')).join(' & ')} \\\\`)],
+    ['numbers in a macro of LaTeX', each(p => `${p.map(x => `\\num{${x}}`).join(' & ')} \\\\`)],
+    ['fractions', `Matrix([${POINTS.map(p => `[${p.map(x => `${8 * x}/8`)}]`).join(', ')}])`],
+    ['a list with its numbers', each((p, i) => `${i + 1}. ${p.join(', ')}`)],
+    ['points called by letters', each((p, i) => `${'ABCDEFGH'[i]}(${p.join('|')})`)],
+    ['homogeneous coordinates', each(p => `[${p.join(', ')}, 1.0]`)],
+    [
+      'displacements below',
+      `NODE X Y Z\n${each((p, i) => `${i + 1} ${p.join(' ')}`)}\n\nNODE UX UY UZ\n${each((p, i) => `${i + 1} ${p.join(' ')}`)}`,
+    ],
+    ['points of a quadrature below', `nodes:\n${each(p => p.join(' '))}\ngauss points:\n${each(p => p.join(' '))}`],
+    ['a matrix below', `${each(p => p.join(' '))}\nJ =\n1 0 0\n0 1 0\n0 0 1\n`],
   ])('%s', (_, text) => {
     const mesh = meshOf(text)
     expect(verticesOf(mesh, 0)).toEqual(ELEMENT)
@@ -73,6 +87,18 @@ describe('points', () => {
     expect(text).toContain('2.125,00')
     expect(verticesOf(meshOf(text), 0)).toEqual(ELEMENT.map(x => 1000 * (x + 2)))
   })
+})
+
+test('commas between thousands', () => {
+  const text = each(p => p.map(x => (1000 * (x + 2)).toLocaleString('en-US', { minimumFractionDigits: 2 })).join('\t'))
+  expect(text).toContain('2,125.00')
+  expect(verticesOf(meshOf(text), 0)).toEqual(ELEMENT.map(x => 1000 * (x + 2)))
+})
+
+test('columns that are not Cartesian are refused', () => {
+  expect(refusal(`r theta z\n${each(p => p.join(' '))}`)).toBe(
+    'a.txt: a column is called “r”: Cartesian x, y and z are read.',
+  )
 })
 
 describe('points and cells', () => {

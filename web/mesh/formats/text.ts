@@ -7,10 +7,11 @@ import { isText, LARGEST_STRING, snippetText } from '../snippet-text'
 import { tablesOfAssignments, tablesOfSetIds, tablesOfVectors } from '../snippets/assigned'
 import { meshOfTables } from '../snippets/interpret'
 import { meshOfJson } from '../snippets/json'
-import { tablesOfLines, withDecimalPoints } from '../snippets/lines'
+import { tablesOfLines, withDecimalPoints, withoutThousands } from '../snippets/lines'
 import { tablesOfLists } from '../snippets/lists'
 import { withoutTags } from '../snippets/markup'
 import { tablesOfMatlab } from '../snippets/matlab-print'
+import { withPlainNumbers } from '../snippets/number-forms'
 import { numberTable } from '../snippets/number-table'
 import { meshOfNumbers } from '../snippets/plain-numbers'
 import { Tokens } from '../snippets/tokens'
@@ -27,7 +28,8 @@ export const text: MeshFormat = {
     if (file.size > LARGEST_STRING) return [meshOfNumbers(file, options)]
     const whole = snippetText(file)
     if (whole === null) throw new MeshRefusal(`${file.name}: this is binary, and in no format that is known here.`)
-    return [meshOfText(withoutTags(whole).replace(POINT_ON_LINES, '$1 $2 $3'), file, options)]
+    const plain = withPlainNumbers(withoutTags(whole)).replace(POINT_ON_LINES, '$1 $2 $3')
+    return [meshOfText(plain, file, options)]
   },
 }
 
@@ -39,7 +41,7 @@ function meshOfText(whole: string, file: MeshFile, { throwIfCancelled }: ReadOpt
   const hasOwnOrder = /\bskfem\b|\bmesh\.t\b|\bMeshHex\b|\bdolfinx\b|\bcreate_mesh\(|\bCellData<|\bdealii\b/.test(whole)
   const isScikitFem = /\bskfem\b|\bmesh\.t\b|\bMeshHex/.test(whole)
   const decimal = withDecimalPoints(whole)
-  const text = decimal ?? whole
+  const text = decimal ?? withoutThousands(whole) ?? whole
   let refusal: MeshRefusal | null = null
   const orRefused = (reading: () => Mesh | null): Mesh | null => {
     try {

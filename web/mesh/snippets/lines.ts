@@ -4,7 +4,7 @@
  */
 
 import type { NumberTable } from './number-table'
-import { titledColumns } from './point-set'
+import { areComponents, titledColumns } from './point-set'
 import { NO_POINT_NAME } from './table-names'
 import { Tokens } from './tokens'
 
@@ -116,6 +116,8 @@ export function tablesOfLines(text: string): TextLines {
   let before: Line | null = null
   let last: Group | null = null
   let heading: readonly string[] = []
+  /** The last titles of columns that say what these are. */
+  let columns = ''
   for (const line of linesOf(text)) {
     const words = line.raw
     const short = words.slice(0, LONGEST_SKELETON)
@@ -150,10 +152,11 @@ export function tablesOfLines(text: string): TextLines {
       if (run.values.length === 3 || run.values.length === 4) points++
       if (run.values.length < 3) continue
       const title = isNoPointTitle(heading) ? heading.join(' ') : ''
-      const key = `${cuts} ${run.values.length} ${all ? '' : i} ${read.skeleton} ${title}`
+      const titles = read.runs.length === 1 ? headerOf(before, run.values.length) : null
+      if (titles !== null && (titledColumns(titles) !== null || areComponents(titles))) columns = titles.join(' ')
+      const key = `${cuts} ${run.values.length} ${all ? '' : i} ${read.skeleton} ${title} ${columns}`
       let group = groups.get(key)
       if (group === undefined) {
-        const titles = read.runs.length === 1 ? headerOf(before, run.values.length) : null
         group = new Group([...heading, ...(run.word === '' ? [] : [run.word])], titles, run)
         groups.set(key, group)
         order.push(group)
@@ -297,7 +300,8 @@ function readLine(raw: string, number: number): Line {
     const isBetween = kind === 'word' ? isOpen && UNIT.test(token) : BETWEEN.includes(token)
     if (!isBetween) {
       isOpen = false
-      if (skeleton.length < LONGEST_SKELETON) skeleton += kind === 'word' ? ` ${token.replace(/\d+/g, '#')}` : token
+      if (skeleton.length < LONGEST_SKELETON)
+        skeleton += kind === 'word' ? ` ${token.replace(/\d+|^[A-H]$/g, '#')}` : token
     }
   }
   const labelled = labelledPoints(text, axes.length, runs)
@@ -356,6 +360,15 @@ function labelledPoints(text: string, axes: number, runs: readonly Run[]): Run[]
 const AROUND_DECIMALS = /[\s;|&"'()[\]{}:=]+|\b[A-Za-z]\w{0,40}/
 /** Dots stand between thousands only where a comma follows. */
 const WITH_COMMA = /^[-+−]?(?:\d{1,20}(?:,\d{1,20})?|\d{1,3}(?:\.\d{3}){1,5},\d{1,20})(?:[eE][-+]?\d{1,4})?,?$/
+
+/** The text without commas between thousands, if all its numbers may have them and one has: 1,234.5. */
+export function withoutThousands(text: string): string | null {
+  if (!/\d,\d{3}\./.test(text) || text.length > 1_000_000) return null
+  const words = text.split(/[\s;|&"]+/).filter(word => /\d/.test(word))
+  if (!words.every(word => /^[-+−]?(?:\d{1,20}|\d{1,3}(?:,\d{3}){1,6})(?:\.\d*)?(?:[eE][-+]?\d{1,4})?,?$/.test(word)))
+    return null
+  return text.replace(/(?<=\d),(?=\d{3})/g, '')
+}
 
 /** The text with decimal points, if its numbers have decimal commas: eight of them at least; else null. */
 export function withDecimalPoints(text: string): string | null {

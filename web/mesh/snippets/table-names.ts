@@ -2,7 +2,8 @@
 import type { NumberTable } from './number-table'
 
 export const POINT_NAME = /point|coord|vert|node|xyz|pos|corner|doflocs|^p$|\.p$|^x$/i
-export const NO_POINT_NAME = /normal|disp|velo|force|gradient|colou?r|uv|tangent|stress|strain|jacob|weight/i
+export const NO_POINT_NAME =
+  /normal|disp|velo|force|gradient|colou?r|uv|tangent|stress|strain|jacob|weight|gauss|quadrature|integration|^j$/i
 export const CELL_NAME =
   /cell|elem|conn|face|quad|tri|tet|hex|brick|topol|simpli|ien|lnods|index|indic|edge|prism|wedge|pyra|^t$|\.t$/i
 export const NO_CELL_NAME = /type|tag|material|region|flag|rank|colou?r|cell_?data|size|shape|count|offset/i
