@@ -1,8 +1,12 @@
 /** Rarer ways in which texts have points and cells, each with one hexahedron whose vertices are all different. */
+import { readFileSync } from 'node:fs'
 import { describe, expect, test } from 'vitest'
+import { loadReadingCore } from '../../web/core/reading-core'
 import { type Mesh, MeshRefusal } from '../../web/mesh/mesh'
 import { readMeshes } from '../../web/mesh/read-mesh'
 import { textFile, verticesOf } from './mesh-expectations'
+
+const core = await loadReadingCore(readFileSync(new URL('../../build/hexlens-reading.wasm', import.meta.url)))
 
 const POINTS = [
   [0.5, 0.25, -1],
@@ -165,6 +169,31 @@ describe('formats', () => {
     const elements = 'Begin Elements Element3D8N\n7 0 1 2 3 4 5 6 7 8\nEnd Elements\n'
     expect(Array.from(meshOf(nodes + elements + geometries).ids as Float64Array)).toEqual([7])
     expect(Array.from(meshOf(nodes + geometries).ids as Float64Array)).toEqual([3])
+  })
+
+  test.each([null, core])('Gmsh 4.0: heads of blocks that look like nodes', own => {
+    const corners = [0, 1, 2, 3, 4, 5, 6, 7].map(v => [v & 1, (v >> 1) & 1, v >> 2])
+    const nodes = corners.map((p, i) => `${i + 1} 0 0 1\n${i + 1} ${p.join(' ')}`).join('\n')
+    const text = `$MeshFormat\n4 0 8\n$EndMeshFormat\n$Nodes\n8 8\n${nodes}\n$EndNodes\n$Elements\n1 1\n1 3 5 1\n7 ${NODES.join(' ')}\n$EndElements\n`
+    const [mesh] = readMeshes(textFile('a.msh', text), { core: own }) as [Mesh]
+    expect(verticesOf(mesh, 0)).toEqual(NODES.flatMap(node => corners[node - 1] as number[]))
+  })
+
+  const twenty = Array.from({ length: 20 }, (_, i) => (i % 8) + 1)
+  const lines = each((p, i) => `${i + 1} ${p.join(' ')}`)
+  const key = `*KEYWORD\n*NODE\n${lines.replaceAll(' ', ',')}\n*ELEMENT_SOLID_H20\n7,1,${twenty.slice(0, 8)},\n${twenty.slice(8, 19)},\n${twenty[19]}\n*END\n`
+  const medit = `MeshVersionFormatted 2\nDimension 3\nVertices\n8\n${each(p => `${p.join(' ')} 0`)}\nHexahedra\n1\n${twenty.join(' ')} 1\nEnd\n`
+  const unvNodes = each((p, i) => `${i + 1} 1 1 11\n${p.join(' ')}`)
+  const unv = `    -1\n  2411\n${unvNodes}\n    -1\n    -1\n  2412\n 7 115 1 0 7 20\n${twenty.slice(0, 8).join(' ')}\n${twenty.slice(8).join(' ')}\n    -1\n`
+  const matlab = `msh.nbNod = 8;\nmsh.POS = [\n${each(p => `${p.join(' ')};`)}\n];\nmsh.HEXAS20 =[\n${twenty.join(' ')} 7\n];\n`
+  test.each([
+    ['LS-DYNA', key],
+    ['Medit', medit],
+    ['UNV', unv],
+    ['MATLAB', matlab],
+  ])('%s: hexahedra of 20 nodes as Gmsh writes them', (_, text) => {
+    const { cells, notTrilinear } = meshOf(text)
+    expect([cells.length, [...notTrilinear.corners]]).toEqual([0, [0, 1, 2, 3, 4, 5, 6, 7]])
   })
 
   test('SU2: borders of parts', () => {

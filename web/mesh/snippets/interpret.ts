@@ -200,7 +200,8 @@ function addOthers(
 ): void {
   const width = rows.every(row => row.length === rows[0]?.length) ? (rows[0]?.length ?? 0) : 0
   const name = table.names.join(' ')
-  if (width === 20 || width === 27) {
+  // Gmsh's HEXAS20 and HEXAS27 for MATLAB end with a tag.
+  if ([20, 27].includes(isNamed(table, /hexas2[07]$/i) ? width - 1 : width)) {
     for (const row of rows) builder.notTrilinear(row.slice(0, EIGHT).map(place))
     return
   }
