@@ -129,6 +129,26 @@ describe('points and cells', () => {
       'nodes set one by one',
       `${each((p, i) => `mesh.add_point(Point(${p.join(', ')}), ${i});`, SORTED)}\n${NODES.map((node, i) => `elem->set_node(${i}) = mesh.node_ptr(${node - 1});`).join('\n')}`,
     ],
+    [
+      'hyphens between the nodes',
+      `${each((p, i) => `${i + 1} ${p.join(' ')}`, SORTED)}\n\nnodes: ${NODES.join('-')}\n`,
+    ],
+    [
+      'a line for each node',
+      `${each((p, i) => `${i + 1} ${p.join(' ')}`, SORTED)}\nconnectivity\n${NODES.join('\n')}\n`,
+    ],
+    [
+      'nodes with their places',
+      `${each((p, i) => `${i + 1} ${p.join(' ')}`, SORTED)}\n\n${NODES.map((node, i) => `N${i + 1}=${node}`).join(' ')}\n`,
+    ],
+    [
+      'assignments of nodes',
+      `double p[8][3]={${SORTED.map(p => `{${p}}`)}};\nint conn[8];\n${NODES.map((node, i) => `conn[${i}] = ${node - 1};`).join(' ')}\n`,
+    ],
+    [
+      'ids inserted one by one',
+      `${each(p => `points->InsertNextPoint(${p});`, SORTED)}\n${NODES.map(node => `ids->InsertNextId(${node - 1});`).join('\n')}\n`,
+    ],
   ])('%s', (_, text) => {
     const mesh = meshOf(text)
     expect(verticesOf(mesh, 0)).toEqual(ELEMENT)

@@ -53,12 +53,15 @@ function meshOfText(whole: string, file: MeshFile, { throwIfCancelled }: ReadOpt
     }
   }
   const lists = orRefused(() =>
-    meshOfTables([...tablesOfAssignments(text), ...tablesOfVectors(text), ...tablesOfLists(text)], {
-      format: languageOf(text),
-      fileName,
-      hasOwnOrder,
-      isScikitFem,
-    }),
+    meshOfTables(
+      [...tablesOfAssignments(text), ...tablesOfVectors(text), ...tablesOfLists(text), ...tablesOfSetIds(text)],
+      {
+        format: languageOf(text),
+        fileName,
+        hasOwnOrder,
+        isScikitFem,
+      },
+    ),
   )
   if (lists?.isOrderStated || (lists !== null && hasOwnOrder)) return lists
   throwIfCancelled()
