@@ -7,7 +7,7 @@ const ENDS: readonly (readonly [begin: RegExp, end: RegExp, word: string])[] = [
   [/^BEGIN[ ,]+BULK/im, /^[ \t]*ENDDATA/im, 'ENDDATA'],
   [/^\*KEYWORD/im, /^\*END\b/im, '*END'],
   [/^\/BEGIN/m, /^\/END\b/m, '/END'],
-  [/^\s*\$ENTER/im, /^\s*\$(?:FIN|EXIT)\b/im, '$FIN'],
+  [/^[ \t]*\$ENTER/im, /^[ \t]*\$(?:FIN|EXIT)\b/im, '$FIN'],
 ]
 const HEAD = 65_536
 const TAIL = 4096

@@ -9,7 +9,7 @@ import { headText } from '../snippet-text'
 import { type MeshFile, type MeshFormat, progressOf } from '../source'
 import { TextCursor } from '../text-cursor'
 
-const ELEMENT = /^\s*ELEMENT\s+(\d+)\s*\[[^\]\n]*\]\s*GROUP/im
+const ELEMENT = /^[ \t]*ELEMENT[ \t]+(\d+)\s*\[[^\]\n]{0,20}\][ \t]*GROUP/im
 const BYTES = /^#v00\d\s+(\d+)\s+(\d+)\s/
 const HEADER_BYTES = 80
 /** The number by which the order of bytes is known. */
