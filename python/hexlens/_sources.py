@@ -73,7 +73,8 @@ _BY_NAME: Final = {
     ".key": "LS-DYNA file", ".unv": "UNV file", ".avs": "UCD file", ".ovm": "OpenVolumeMesh file", ".mdpa": "Kratos file",
     ".e": "Exodus file", ".exo": "Exodus file", ".g": "Exodus file", ".cgns": "CGNS file", ".med": "MED file",
     ".xdmf": "XDMF file", ".vtkhdf": "VTKHDF file", ".pvd": ".pvd file", ".m": "MATLAB text", ".obj": "OBJ file",
-    ".xda": "libMesh file", ".foam": "OpenFOAM case",
+    ".xda": "libMesh file", ".rea": "Nek5000 file",
+    ".re2": "Nek5000 file", ".foam": "OpenFOAM case",
 }  # fmt: skip
 _FORMATS: Final = {"vtu": "VTU", "vtk": "VTK"}
 _HEAD: Final = 4096

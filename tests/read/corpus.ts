@@ -55,6 +55,18 @@ A,A,2,9
 1,99999999999
 *ELCOPY,OLD SET=F,ELEMENT SHIFT=9,SHIFT NODES=1
 `,
+  'nek.rea': `  **MESH DATA** 6 lines are X,Y,Z;X,Y,Z. Columns corners 1-4;5-8
+  1  3  1  NEL,NDIM,NELV
+ ELEMENT  1 [  1a]  GROUP  0
+ 0 1 1 0
+ 0 0 1 1
+ 0 0 0 0
+ 0 1 1 0
+ 0 0 1 1
+ 1 1 1 1
+  ***** CURVED SIDE DATA *****
+  2 Curved sides follow IEDGE,IEL,CURVE(I),I=1,5, CCURVE
+`,
   'voxels.vtk': `# vtk DataFile Version 3.0
 voxels
 ASCII

@@ -29,6 +29,7 @@ export const formatNames = [
   'blockMeshDict',
   'OpenFOAM',
   'ncdump',
+  'Nek5000',
   'OBJ',
   'CGNS',
   'MED',

@@ -18,6 +18,7 @@ import { medit } from './formats/medit'
 import { mfem } from './formats/mfem'
 import { nastran } from './formats/nastran'
 import { ncdump } from './formats/ncdump'
+import { nek } from './formats/nek'
 import { obj } from './formats/obj'
 import { openFoam } from './formats/openfoam'
 import { ovm } from './formats/ovm'
@@ -66,6 +67,7 @@ export const formats: readonly MeshFormat[] = [
   blockMeshDict,
   openFoam,
   ncdump,
+  nek,
   obj,
   hdf5,
   ...inHdf5,

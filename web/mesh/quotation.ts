@@ -20,7 +20,7 @@ interface Line {
 
 /**
  * The text without what mail and Markdown put around it. Marks of quotation, fences, the words outside of them, terminals' colours, no-break
- * spaces and a byte order mark become blanks, so that lines and bytes keep their places; UTF-16 becomes UTF-8. The file itself where there is nothing of that, or
+ * spaces and a byte order mark become blanks, so that lines and bytes keep their places; UTF-16 becomes UTF-8, and a CR alone the end of a line. The file itself where there is nothing of that, or
  * where it is binary or large.
  */
 export function withoutQuotation(file: MeshFile): MeshFile {
@@ -29,11 +29,14 @@ export function withoutQuotation(file: MeshFile): MeshFile {
   const encoding = utf16Of(original)
   const bytes = encoding === null ? original : new TextEncoder().encode(new TextDecoder(encoding).decode(original))
   if (bytes.includes(0)) return file
+  const isOfOldMac = bytes.includes(CR) && !bytes.includes(LF)
+  if (isOfOldMac) for (let at = bytes.indexOf(CR); at >= 0; at = bytes.indexOf(CR, at)) bytes[at] = LF
   const isUncoloured = blankColours(bytes)
   const isUnquoted = blankQuotation(bytes)
   const isUnfenced = blankFences(bytes)
   const isPlain = blankOddSpaces(bytes)
-  return isUncoloured || isUnquoted || isUnfenced || isPlain || encoding !== null ? fileOfBytes(file.name, bytes) : file
+  const isSame = !(isOfOldMac || isUncoloured || isUnquoted || isUnfenced || isPlain) && encoding === null
+  return isSame ? file : fileOfBytes(file.name, bytes)
 }
 
 /**

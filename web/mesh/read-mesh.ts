@@ -5,6 +5,7 @@ import { namedFor } from './formats/hdf5'
 import { refused } from './formats/refused'
 import { gunzipped, gunzippedHead, isGzip } from './gzip'
 import { type Mesh, MeshRefusal } from './mesh'
+import { missingEnd } from './missing-end'
 import { fencedBlocks, withoutQuotation } from './quotation'
 import { shownFileName } from './shown'
 import { utf16Of } from './snippet-text'
@@ -109,7 +110,9 @@ export function readMeshes(file: MeshFile, options: Partial<ReadOptions> & { for
     const plain = withoutQuotation(whole)
     const plainHead = headOf(plain)
     const format = wanted === null ? formatOf(plainHead, name) : namedFor(plainHead, wanted)
-    const meshes = format.read(plain, all)
+    const read = format.read(plain, all)
+    const note = missingEnd(plain)
+    const meshes = note === null ? read : read.map(mesh => ({ ...mesh, notes: [...mesh.notes, note] }))
     if (plain === here) return meshes
     const areBytesKept = !isPacked && utf16Of(head) === null
     return meshes.map(mesh => (areBytesKept ? withTruePlaces(mesh) : { ...mesh, coordinatePlaces: null }))

@@ -27,6 +27,9 @@ export function splitCard(lines: TextLines, widths: Widths, integers: number, re
     lines.splitAtCommas()
     return
   }
+  // As many words as fields are these, though a program writes them beside their columns.
+  lines.splitAtBlanks()
+  if (lines.fieldCount === integers + reals) return
   if (lines.hasTab || !areColumns(lines, widths, integers, reals)) lines.splitAtBlanks()
 }
 

@@ -31,7 +31,7 @@ const OTHER: readonly (readonly [RegExp, OtherCell])[] = [
   [/^NSIDED/, 'polygon'],
 ]
 /** Names of the elements with eight corners; a shell of eight nodes around a volume is none. */
-const HEXAHEDRON = /^HEX(?!SHELL)/
+const HEXAHEDRON = /^HEX(?!SHELL)|^BRICK/
 
 /** What an element of a block is. */
 export function exodusCell(type: string): OtherCell | 'hexahedron' {

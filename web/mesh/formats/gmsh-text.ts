@@ -136,15 +136,10 @@ export class GmshText {
     records.check(next, seen, count, 'nodes')
   }
 
+  /** Line by line: the head of the next block has four numbers, too. */
   #block4(nodes: number, hasParameters: boolean): number {
     let seen = 0
     for (; seen < nodes && this.#records.next('nodes') === 'record'; ++seen) {
-      const rows = hasParameters ? 0 : this.#nodeRows(NODE_ROW)
-      if (seen + rows > nodes) this.#cursor.refuse(`the lines of nodes are more than the ${nodes} that were declared.`)
-      if (rows > 0) {
-        seen += rows - 1
-        continue
-      }
       if (!this.#node(this.#id('a node'), hasParameters)) break
       this.#records.onRecord()
     }

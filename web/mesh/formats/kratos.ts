@@ -16,6 +16,12 @@ const BY_NODES: Readonly<Record<number, OtherCell>> = {
 }
 const ID = /^\d{1,15}$/
 
+interface Element {
+  readonly id: number
+  readonly nodes: readonly number[]
+  readonly name: string
+}
+
 export const kratos: MeshFormat = {
   name: 'Kratos',
   recognizes: head =>
@@ -26,7 +32,9 @@ export const kratos: MeshFormat = {
     const builder = new MeshBuilder('Kratos', file.name)
     const cursor = new TextCursor(file)
     const onLine = progressOf(file, options)
-    const elements: { readonly id: number; readonly nodes: readonly number[]; readonly name: string }[] = []
+    const elements: Element[] = []
+    /** The cells of a file without elements; beside these they are the same ones again. */
+    const geometries: Element[] = []
     let block = ''
     let name = ''
     let depth = 0
@@ -73,12 +81,12 @@ export const kratos: MeshFormat = {
         const nodes = words.slice(block === 'Elements' ? 2 : 1).map(Number)
         const said = Number(/(\d+)N$/.exec(name)?.[1] ?? nodes.length)
         if (nodes.length !== said) cursor.refuse(`element ${first} of type ${shown(name)} has ${nodes.length} nodes.`)
-        elements.push({ id: Number(first), nodes, name })
+        ;(block === 'Elements' ? elements : geometries).push({ id: Number(first), nodes, name })
       }
     }
     if (depth > 0) cursor.refuse(`the file ends in the block ${shown(block)}, where “End” was expected.`)
     const cellOfId = new IdIndex()
-    for (const { id, nodes, name: type } of elements) {
+    for (const { id, nodes, name: type } of elements.length > 0 ? elements : geometries) {
       const before = builder.cellCount
       addElement(builder, id, nodes, type)
       if (builder.cellCount > before && cellOfId.get(id) < 0) cellOfId.set(id, before)

@@ -255,11 +255,13 @@ class DynaReader {
     this.#split(10)
     const id = lines.id(0, 'a number of an element')
     const line = lines.number
-    let count = 0
+    // Gmsh writes the nodes on from the first line.
+    const areInline = lines.filledCount > 2
+    let count = areInline ? this.#readNodes(id, 2, lines.filledCount, 0) : 0
     while (count < nodeCount) {
       nextCard(lines, `element ${id} has ${count} nodes; ${nodeCount} were expected.`)
       this.#split(10)
-      const wanted = Math.min(10, nodeCount - count)
+      const wanted = Math.min(areInline ? lines.filledCount : 10, nodeCount - count)
       if (lines.filledCount < wanted)
         lines.refuse(`element ${id} has ${count + lines.filledCount} nodes; ${nodeCount} were expected.`)
       count = this.#readNodes(id, 0, wanted, count)

@@ -4,9 +4,20 @@ import { headText } from '../snippet-text'
 import type { MeshFile, MeshFormat, ReadOptions } from '../source'
 import { shown, type TextCursor } from '../text-cursor'
 import { LINE_HEAD, readInTurn, type Start, TextRecords } from '../text-records'
+import { wordTable } from '../word-table'
 import { isMeditBinary, readMeditBinary } from './medit-binary'
 import { type MeditCells, meditCellsByName, meditCounted } from './medit-keywords'
 import { MeditMesh } from './medit-mesh'
+
+const SECOND_ORDER: Readonly<Record<string, readonly number[]>> = wordTable({
+  hexahedron: [20, 27],
+  quadrilateral: [8, 9],
+  tetrahedron: [10],
+  triangle: [6],
+  wedge: [15, 18],
+  pyramid: [13, 14],
+  line: [3],
+})
 
 const HASH = 35
 
@@ -171,10 +182,18 @@ class MeditReader {
     return true
   }
 
-  #cells(cells: MeditCells): void {
+  /** Cells of second order, which Gmsh writes under the names of those of first order: by the numbers in their lines. */
+  #inSecondOrder(cells: MeditCells, count: number): MeditCells {
+    const more = (SECOND_ORDER[cells.kind] ?? []).find(nodes => this.#numbersInLine(nodes) === nodes + 1)
+    if (more === undefined || more + 1 === count * (cells.nodes + 1)) return cells
+    return { ...cells, nodes: more, kind: cells.kind === 'hexahedron' ? 'curved' : cells.kind }
+  }
+
+  #cells(named: MeditCells): void {
     const cursor = this.#cursor
     const records = this.#records
-    const count = cursor.count(`the number of ${cells.name}`)
+    const count = cursor.count(`the number of ${named.name}`)
+    const cells = this.#inSecondOrder(named, count)
     const inLine = this.#numbersInLine(cells.nodes)
     const vertices: number[] = []
     records.all(count, 'elements', () => {

@@ -21,7 +21,7 @@ const GEOMETRIES: readonly { readonly kind: OtherCell | 'hexahedron'; readonly n
   { kind: 'pyramid', nodes: 5 },
 ]
 
-const HEADER = /^MFEM\b[A-Z -]*\bmesh v\d/
+const HEADER = /^MFEM\b[A-Z -]*\bmesh v\d/i
 const SECTION =
   /^(?:dimension|elements|boundary|vertices|nodes|attribute_sets|bdr_attribute_sets|vertex_parents|coarse_elements|coordinates|root_state|rank|sfc_version|mfem_\w*mesh_end|communication_groups|edges|patches|knotvectors|weights|total_shared_\w+|shared_\w+)\b/
 
@@ -29,7 +29,7 @@ export const mfem: MeshFormat = {
   name: 'MFEM',
   recognizes(head) {
     const text = headText(head)
-    return /^[ \t>]*MFEM\b[A-Z -]*\bmesh v\d/m.test(text) ? 'yes' : 'no'
+    return /^[ \t>]*MFEM\b[A-Z -]*\bmesh v\d/im.test(text) ? 'yes' : 'no'
   },
   read(file, options) {
     return readInTurn(file, cursor => new MfemReader(file, cursor, options))

@@ -52,6 +52,8 @@ class Su2Reader {
       if (name === 'NPOIN') this.#points(count)
       else if (name === 'NELEM' || name === 'MARKER_ELEMS') {
         const isMarker = name !== 'NELEM'
+        // The neighbour of a part, between the count and the elements.
+        if (isMarker && /^\s*SEND_TO/i.test(text.line() ?? '')) text.cursor.skipLine()
         text.later(() => this.#elements(count, isMarker))
         text.pass(isKeyword)
       } else text.pass(isKeyword)

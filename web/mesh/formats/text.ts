@@ -7,14 +7,19 @@ import { isText, LARGEST_STRING, snippetText } from '../snippet-text'
 import { tablesOfAssignments, tablesOfSetIds, tablesOfVectors } from '../snippets/assigned'
 import { meshOfTables } from '../snippets/interpret'
 import { meshOfJson } from '../snippets/json'
-import { tablesOfLines, withDecimalPoints } from '../snippets/lines'
+import { tablesOfLines, withDecimalPoints, withoutThousands } from '../snippets/lines'
 import { tablesOfLists } from '../snippets/lists'
 import { withoutTags } from '../snippets/markup'
 import { tablesOfMatlab } from '../snippets/matlab-print'
+import { withPlainNumbers } from '../snippets/number-forms'
 import { numberTable } from '../snippets/number-table'
 import { meshOfNumbers } from '../snippets/plain-numbers'
 import { Tokens } from '../snippets/tokens'
 import type { MeshFile, MeshFormat, ReadOptions } from '../source'
+
+/** A point whose x, y and z stand on a line each: YAML, and structures as debuggers and languages print them. */
+const POINT_ON_LINES =
+  /(?<![\w.])(["']?x["']?\s?[:=]\s?[-+\d.e]{1,40},?)\s{1,80}(["']?y["']?\s?[:=]\s?[-+\d.e]{1,40},?)\s{1,80}(["']?z["']?\s?[:=])/gi
 
 export const text: MeshFormat = {
   name: 'text',
@@ -23,7 +28,8 @@ export const text: MeshFormat = {
     if (file.size > LARGEST_STRING) return [meshOfNumbers(file, options)]
     const whole = snippetText(file)
     if (whole === null) throw new MeshRefusal(`${file.name}: this is binary, and in no format that is known here.`)
-    return [meshOfText(withoutTags(whole), file, options)]
+    const plain = withPlainNumbers(withoutTags(whole)).replace(POINT_ON_LINES, '$1 $2 $3')
+    return [meshOfText(plain, file, options)]
   },
 }
 
@@ -35,7 +41,7 @@ function meshOfText(whole: string, file: MeshFile, { throwIfCancelled }: ReadOpt
   const hasOwnOrder = /\bskfem\b|\bmesh\.t\b|\bMeshHex\b|\bdolfinx\b|\bcreate_mesh\(|\bCellData<|\bdealii\b/.test(whole)
   const isScikitFem = /\bskfem\b|\bmesh\.t\b|\bMeshHex/.test(whole)
   const decimal = withDecimalPoints(whole)
-  const text = decimal ?? whole
+  const text = decimal ?? withoutThousands(whole) ?? whole
   let refusal: MeshRefusal | null = null
   const orRefused = (reading: () => Mesh | null): Mesh | null => {
     try {
@@ -47,12 +53,15 @@ function meshOfText(whole: string, file: MeshFile, { throwIfCancelled }: ReadOpt
     }
   }
   const lists = orRefused(() =>
-    meshOfTables([...tablesOfAssignments(text), ...tablesOfVectors(text), ...tablesOfLists(text)], {
-      format: languageOf(text),
-      fileName,
-      hasOwnOrder,
-      isScikitFem,
-    }),
+    meshOfTables(
+      [...tablesOfAssignments(text), ...tablesOfVectors(text), ...tablesOfLists(text), ...tablesOfSetIds(text)],
+      {
+        format: languageOf(text),
+        fileName,
+        hasOwnOrder,
+        isScikitFem,
+      },
+    ),
   )
   if (lists?.isOrderStated || (lists !== null && hasOwnOrder)) return lists
   throwIfCancelled()

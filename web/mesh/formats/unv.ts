@@ -91,8 +91,9 @@ function readElements(
     if (BEAMS.has(type)) cursor.skipLine()
     const nodes = Array.from({ length: count }, () => cursor.count('the number of a node'))
     if (type === BRICK) {
-      if (count !== 8) cursor.refuse(`element ${id} is a linear brick and has ${count} nodes.`)
-      elements.push({ id, nodes, isLinear: true })
+      // Gmsh gives bricks of second order the same number.
+      if (![8, 20, 27].includes(count)) cursor.refuse(`element ${id} is a linear brick and has ${count} nodes.`)
+      elements.push({ id, nodes: nodes.slice(0, 8), isLinear: count === 8 })
     } else if (type === BRICK_20) {
       if (count !== 20) cursor.refuse(`element ${id} is a parabolic brick and has ${count} nodes.`)
       elements.push({ id, nodes: CORNERS_20.map(v => nodes[v] as number), isLinear: false })

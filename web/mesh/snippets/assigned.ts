@@ -2,7 +2,7 @@
  * Coordinates that code sets one by one, "c[0][2] = 0.5;", "x(1,3) = 0.5d0" and "x[0] = 0; y[0] = 0; z[0] = 0;", and vectors as R prints
  * them, whose lines begin with the number of their first entry.
  */
-import { type NumberTable, numberTable, transposed } from './number-table'
+import { areDistinct, type NumberTable, numberTable, transposed } from './number-table'
 import { Tokens } from './tokens'
 
 const SUBSCRIPT = '\\s?[[(]\\s?\\d{1,9}(?:\\s?,\\s?\\d{1,9})?\\s?[\\])]'
@@ -75,18 +75,28 @@ function tableOf(names: readonly string[], rows: number[][], digits: number): Nu
   return numberTable(rows, false, { names, digits })
 }
 
-const SET_ID = /\bSetId\(\s?(\d{1,9})\s?,\s?(\d{1,9})\s?\)/g
+/** A node's place in its cell, where one is given, and its number. */
+const SET_ID =
+  /\b(?:SetId\(\s?(\d)\s?,|set_node\(\s?(\d)\s?(?:\)\s?=|,)\s?[\w.>-]{0,40}\(|(?:conn|cell|elem|hex|ids|nodes?\b|vertices)[\w[\].]{0,40}[[(](\d)[\])]\s?=|n(\d)\s?[=:]|InsertNextId\()\s?(\d{1,9})(?![\w.,])/gi
 
-/** The nodes of cells that VTK's SetId(0, …) to SetId(7, …) set one by one. */
+/** The nodes of cells that are set one by one: SetId(0, …) and InsertNextId(…) of VTK, libMesh's set_node, conn[0] = …, "N1=…". */
 export function tablesOfSetIds(text: string): NumberTable[] {
   const rows: number[][] = []
-  for (const [, place, id] of text.matchAll(SET_ID)) {
-    if (place === '0') rows.push([])
-    rows.at(-1)?.push(rows.at(-1)?.length === Number(place) ? Number(id) : Number.NaN)
+  let first = 0
+  for (const [, a, b, c, d, id] of text.matchAll(SET_ID)) {
+    const given = a ?? b ?? c ?? d
+    let row = rows.at(-1)
+    const place = given === undefined ? (row?.length ?? 0) % 8 : Number(given)
+    if (row === undefined || place === 0 || place !== row.length + first) {
+      row = []
+      rows.push(row)
+      first = place
+    }
+    row.push(Number(id))
   }
-  const whole = rows.filter(row => row.length === 8 && !row.includes(Number.NaN))
+  const whole = rows.filter(row => row.length === 8 && areDistinct(row))
   if (whole.length === 0) return []
-  return [{ ...tableOf(['cells'], whole, 0), integers: whole[0]?.map(() => true) ?? [], base: 0 }]
+  return [{ ...tableOf(['cells'], whole, 0), integers: whole[0]?.map(() => true) ?? [], base: first === 0 ? 0 : null }]
 }
 
 const VECTOR_LINE = /^[ \t]*\[(\d{1,9})\][ \t]+(?=[-+.\d])([^\n]*)$/gm

@@ -1,5 +1,6 @@
 /** Tables of numbers that are cells, and the columns of a cell's nodes. */
 import type { MeshBuilder } from '../mesh-builder'
+import { alikeCorners } from './layouts'
 import {
   areAllIntegers,
   areDistinct,
@@ -94,6 +95,15 @@ export function cellRowsOf(table: NumberTable, set: PointSet, builder: MeshBuild
   )
 }
 
+/** Corners with J of the same sign, in all rows, if their eight nodes begin at a column: nodes that are no cell's have few. */
+function alikeCornersFrom({ rows }: NumberTable, from: number, { ids, points }: PointSet): number {
+  const eights = rows.map(row => row.slice(from, from + EIGHT))
+  const base = eights.some(row => row.includes(0)) ? 0 : 1
+  const at = ids === null ? null : new Map(ids.map((id, i) => [id, i]))
+  const pointOf = (id: number) => points[at === null ? id - base : (at.get(id) ?? -1)] ?? []
+  return eights.reduce((sum, row) => sum + alikeCorners(row.map(pointOf)), 0)
+}
+
 /** Columns that a row of a cell may have: its id, type, tags and eight nodes. */
 const WIDEST_ROW = 14
 
@@ -111,6 +121,12 @@ function nodesFrom(table: NumberTable, width: number, set: PointSet, builder: Me
   const [only] = possible
   const isReference = table.rows.length > 1 && isConstant(column(table, width - 1))
   if (possible.length === 1 && only !== undefined) return only
+  if (possible.length > 1) {
+    const alike = possible.map(from => alikeCornersFrom(table, from, set))
+    const most = Math.max(...alike)
+    const at = alike.indexOf(most)
+    if (alike.lastIndexOf(most) === at) return possible[at] as number
+  }
   if (last === 1 && isReference && (possible.length === 0 || possible.includes(0))) return 0
   const leading = Array.from({ length: last }, (_, c) => column(table, c))
   const areTags = leading.every(values => isConstant(values) || areDistinct(values))

@@ -14,7 +14,7 @@ import { hasPositiveCorners, likelierLayout } from './layouts'
 import { pairs } from './named-points'
 import { areAllIntegers, areDistinct, inRowsOf, type NumberTable, transposed, widthOf } from './number-table'
 import { EIGHT, type PointSet, pointSetOf, withAxesJoined, withIdsJoined } from './point-set'
-import { CELL_NAME, isNamed, NO_POINT_NAME } from './table-names'
+import { CELL_NAME, isNamed, LIST_MAKER, NO_POINT_NAME } from './table-names'
 
 export interface Origin {
   readonly format: string
@@ -200,7 +200,8 @@ function addOthers(
 ): void {
   const width = rows.every(row => row.length === rows[0]?.length) ? (rows[0]?.length ?? 0) : 0
   const name = table.names.join(' ')
-  if (width === 20 || width === 27) {
+  // Gmsh's HEXAS20 and HEXAS27 for MATLAB end with a tag.
+  if ([20, 27].includes(isNamed(table, /hexas2[07]$/i) ? width - 1 : width)) {
     for (const row of rows) builder.notTrilinear(row.slice(0, EIGHT).map(place))
     return
   }
@@ -230,9 +231,6 @@ function addFaces(faces: readonly (readonly number[])[], builder: MeshBuilder): 
   } else builder.otherCell('quadrilateral', faces.length)
 }
 
-/** Functions that make a list in some language, and name none. */
-const IS_LIST = /(?:^|\.)(?:array|matrix|list|vector)$/i
-
 /** The number of elements that were added. */
 function addEights(sets: readonly PointSet[], builder: MeshBuilder): number {
   let count = 0
@@ -251,7 +249,7 @@ function addEights(sets: readonly PointSet[], builder: MeshBuilder): number {
       const first = builder.pointCount
       for (const [x, y, z] of points.slice(EIGHT * i, EIGHT * (i + 1)))
         builder.point(x as number, y as number, z as number)
-      const name = table.names.findLast(word => !IS_LIST.test(word))
+      const name = table.names.findLast(word => !LIST_MAKER.test(word))
       const label = labels?.[EIGHT * i] ?? (name === undefined ? null : whole === 1 ? name : `${name}, ${i}`)
       const index = STRAIGHT.map(v => first + v)
       builder.hexahedron(index, label !== null && /^\d{1,15}$/.test(label) ? Number(label) : label)

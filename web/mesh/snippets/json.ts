@@ -120,15 +120,15 @@ function idsOf(list: readonly unknown[]): number[] | null {
   return ids.every(id => Number.isInteger(id)) && new Set(ids).size === ids.length ? ids : null
 }
 
-/** The nodes of an object that is a cell: the only list in it, of integers. */
+/** The nodes of an object that is a cell, or the coordinates of one that is a point: the only list in it. */
 function nodesOf(value: unknown): number[] | null {
   if (typeof value !== 'object' || value === null || Array.isArray(value)) return null
   const [nodes, ...others] = Object.entries(value).filter(([, inner]) => Array.isArray(inner))
-  if (nodes === undefined || others.length > 0 || !/node|conn|vert|ids/i.test(nodes[0])) return null
+  if (nodes === undefined || others.length > 0 || !/node|conn|vert|ids|coord|pos|point|xyz/i.test(nodes[0])) return null
   const list = nodes[1] as unknown[]
   // The 24 coordinates of an element, as `analyze` reads them, are no nodes, even where all are whole numbers.
   if (nodes[0] === 'vertices' && list.length === 24) return null
-  return list.length > 3 && list.every(Number.isInteger) ? (list as number[]) : null
+  return list.every(list.length === 3 ? isNumber : Number.isInteger) && list.length >= 3 ? (list as number[]) : null
 }
 
 function isPoint(value: unknown): value is { x: number; y: number; z: number } {

@@ -24,6 +24,12 @@ export function hasPositiveCorners(element: Points): boolean {
   return NEIGHBOURS.every((_, v) => cornerDeterminant(element, v) > 0)
 }
 
+/** The corners at which J has the same sign, + or -, whichever has more. */
+export function alikeCorners(element: Points): number {
+  const signs = NEIGHBOURS.map((_, v) => Math.sign(cornerDeterminant(element, v)))
+  return Math.max(...[1, -1].map(sign => signs.filter(own => own === sign).length))
+}
+
 function otherLayout(table: NumberTable): Points | null {
   const { rows } = table
   const width = widthOf(table)

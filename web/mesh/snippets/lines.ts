@@ -4,9 +4,9 @@
  */
 
 import type { NumberTable } from './number-table'
-import { titledColumns } from './point-set'
+import { areComponents, titledColumns } from './point-set'
 import { NO_POINT_NAME } from './table-names'
-import { isWordCharacter, Tokens } from './tokens'
+import { Tokens } from './tokens'
 
 /** Dates and times are no coordinates. */
 const DATE_OR_TIME = /(?<![\w.])(?:\d{4}-\d\d-\d\d|\d\d?:\d\d(?::\d\d(?:\.\d{1,9})?)?)(?![\w.:])/g
@@ -28,13 +28,11 @@ const POINT_WORD = /node|vert|point|pt|grid|corner|^id$|^p$|^v$|^n$/i
 const GOES_ON = /\d\s{0,9},\s{0,9}(?:\+\w{0,7})?\s{0,9}$/
 
 /** Marks between the numbers of a run: of CSV, tables, LaTeX, box drawing. */
-const BETWEEN = ',;|&"$│┃║，、'
+const BETWEEN = ',;|&"$│┆┃║，、'
 /** Units of length behind each number. */
 const UNIT = /^(?:[cmkµn]?m|inch|ft)$/
 /** Characters that end all lines of a list but the last, or the last alone. */
 const END_MARKS = /[\\)\]}/.'│┃║]+$/
-
-const COMMA = 44
 
 interface Run {
   readonly values: number[]
@@ -118,6 +116,8 @@ export function tablesOfLines(text: string): TextLines {
   let before: Line | null = null
   let last: Group | null = null
   let heading: readonly string[] = []
+  /** The last titles of columns that say what these are. */
+  let columns = ''
   for (const line of linesOf(text)) {
     const words = line.raw
     const short = words.slice(0, LONGEST_SKELETON)
@@ -152,10 +152,11 @@ export function tablesOfLines(text: string): TextLines {
       if (run.values.length === 3 || run.values.length === 4) points++
       if (run.values.length < 3) continue
       const title = isNoPointTitle(heading) ? heading.join(' ') : ''
-      const key = `${cuts} ${run.values.length} ${all ? '' : i} ${read.skeleton} ${title}`
+      const titles = read.runs.length === 1 ? headerOf(before, run.values.length) : null
+      if (titles !== null && (titledColumns(titles) !== null || areComponents(titles))) columns = titles.join(' ')
+      const key = `${cuts} ${run.values.length} ${all ? '' : i} ${read.skeleton} ${title} ${columns}`
       let group = groups.get(key)
       if (group === undefined) {
-        const titles = read.runs.length === 1 ? headerOf(before, run.values.length) : null
         group = new Group([...heading, ...(run.word === '' ? [] : [run.word])], titles, run)
         groups.set(key, group)
         order.push(group)
@@ -166,8 +167,24 @@ export function tablesOfLines(text: string): TextLines {
     before = read
   }
   const firstAfterCut = cuts > 0 ? order.filter(group => !group.isCut) : []
-  const tables = order.filter(group => !(firstAfterCut.includes(group) && isContinuation(group, order))).map(tableOf)
+  const tables = order
+    .filter(
+      (group, i) =>
+        !(firstAfterCut.includes(group) && isContinuation(group, order)) && !areColumnNumbers(group, order[i + 1]),
+    )
+    .map(tableOf)
   return { tables, mixed: mixture(order, mentions), numbers, points }
+}
+
+/** True for the numbers 0, 1, 2 over columns whose rows are numbered, too, as pandas prints a table without titles. */
+function areColumnNumbers({ rows, lines }: Group, below: Group | undefined): boolean {
+  const [titles = []] = rows
+  return (
+    rows.length === 1 &&
+    titles.every((title, c) => title === c) &&
+    below?.lines[0] === (lines[0] as number) + 1 &&
+    below.rows[0]?.length === titles.length + 1
+  )
 }
 
 /** True if a group goes on, after a gap, with the lines of one before it. */
@@ -283,7 +300,8 @@ function readLine(raw: string, number: number): Line {
     const isBetween = kind === 'word' ? isOpen && UNIT.test(token) : BETWEEN.includes(token)
     if (!isBetween) {
       isOpen = false
-      if (skeleton.length < LONGEST_SKELETON) skeleton += kind === 'word' ? ` ${token.replace(/\d+/g, '#')}` : token
+      if (skeleton.length < LONGEST_SKELETON)
+        skeleton += kind === 'word' ? ` ${token.replace(/\d+|^[A-H]$/g, '#')}` : token
     }
   }
   const labelled = labelledPoints(text, axes.length, runs)
@@ -338,22 +356,31 @@ function labelledPoints(text: string, axes: number, runs: readonly Run[]): Run[]
   return found.length > 0 ? found : null
 }
 
-/** The text with decimal points, if its numbers have decimal commas: every number of at least three lines; else null. */
+/** Marks around numbers with decimal commas, and names of points. */
+const AROUND_DECIMALS = /[\s;|&"'()[\]{}:=]+|\b[A-Za-z]\w{0,40}/
+/** Dots stand between thousands only where a comma follows. */
+const WITH_COMMA = /^[-+−]?(?:\d{1,20}(?:,\d{1,20})?|\d{1,3}(?:\.\d{3}){1,5},\d{1,20})(?:[eE][-+]?\d{1,4})?,?$/
+
+/** The text without commas between thousands, if all its numbers may have them and one has: 1,234.5. */
+export function withoutThousands(text: string): string | null {
+  if (!/\d,\d{3}\./.test(text) || text.length > 1_000_000) return null
+  const words = text.split(/[\s;|&"]+/).filter(word => /\d/.test(word))
+  if (!words.every(word => /^[-+−]?(?:\d{1,20}|\d{1,3}(?:,\d{3}){1,6})(?:\.\d*)?(?:[eE][-+]?\d{1,4})?,?$/.test(word)))
+    return null
+  return text.replace(/(?<=\d),(?=\d{3})/g, '')
+}
+
+/** The text with decimal points, if its numbers have decimal commas: eight of them at least; else null. */
 export function withDecimalPoints(text: string): string | null {
   if (!text.includes(',') || text.length > 1_000_000) return null
   let fractions = 0
   for (const { raw } of linesOf(text)) {
-    for (const word of raw.split(/[\s;|&]+/)) {
-      if (word === '' || !/\d/.test(word)) continue
-      if (!/^[-+−]?\d{1,20}(?:,\d{1,20})?(?:[eE][-+]?\d{1,4})?$/.test(word)) return null
-      if (word.includes(',')) fractions++
+    for (const word of raw.split(AROUND_DECIMALS)) {
+      if (!/\d/.test(word)) continue
+      if (!WITH_COMMA.test(word)) return null
+      if (/,\d/.test(word)) fractions++
     }
   }
   if (fractions < 8) return null
-  let result = ''
-  for (let i = 0; i < text.length; i++) {
-    const isComma = text.charCodeAt(i) === COMMA
-    result += isComma && isWordCharacter(text.charCodeAt(i + 1)) ? '.' : text[i]
-  }
-  return result
+  return text.replace(/\.(?=\d{3}[.,])/g, '').replace(/(?<=\d),(?=\d)/g, '.')
 }

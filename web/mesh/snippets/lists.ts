@@ -9,6 +9,8 @@ import { Tokens } from './tokens'
 const [OPENING, CLOSING] = ['([{', ')]}']
 /** The deepest nesting of lists of numbers; brackets inside of it count for nothing. */
 const DEEPEST = 100
+/** Eight numbers, behind a quotation mark. */
+const NUMBERS = /^\s{0,20}(?:[-+.\de]{1,30}\s{1,20}){7}/i
 /** Characters behind Fortran's “&” in which its line ends. */
 const BEHIND = 160
 
@@ -37,6 +39,8 @@ class ListReader {
   #hasNoCommentEnd = false
   /** Open brackets that are too deep for a list. */
   #deeper = 0
+  /** True in a list that a quotation mark ends. */
+  #isQuoted = false
   readonly #hasPrompts: boolean
 
   constructor(text: string) {
@@ -92,11 +96,22 @@ class ListReader {
   }
 
   #stringToken(word: string): void {
+    if (this.#opensQuoted()) return
     this.#endPlain()
     this.#list.lastWord = word
     this.#word = word
     this.#isString = true
     if (this.#list.parent !== null) this.#list.isMixed = true
+  }
+
+  /** Numbers in quotes behind a name, as MOOSE's input has them, are a list. */
+  #opensQuoted(): boolean {
+    const { from } = this.#tokens
+    if (!this.#isAssigned || !NUMBERS.test(this.#text.slice(from + 1, from + BEHIND))) return false
+    this.#tokens.to = from + 1
+    this.#open('[', '')
+    this.#isQuoted = true
+    return true
   }
 
   #line(): void {
@@ -162,6 +177,12 @@ class ListReader {
       this.#endPlain()
       if (this.#deeper > 0) this.#deeper--
       else if (this.#list.parent !== null) this.#close(at + 1)
+    } else if (mark === "'" || mark === '"') {
+      if (!this.#isQuoted) this.#opensQuoted()
+      else {
+        this.#isQuoted = false
+        this.#close(at)
+      }
     } else if (mark === '&' && this.#isFortranEnd(at)) this.#isLineStart = false
     else if (mark === '|' || mark === '&' || mark === '\\') list.isMixed = list.parent !== null
   }
@@ -248,7 +269,8 @@ class ListReader {
       return
     }
     if (isAttached && list.opener === '{' && this.#text[to] === '(') return
-    const isNumeric = !list.isMixed && (count === 0 || list.lists.length === 0)
+    // Mathematica's ElementMesh[points, cells] and its kin hold several lists.
+    const isNumeric = !list.isMixed && (count === 0 || list.lists.length === 0) && !/Mesh/.test(list.callee)
     const isEmpty = count === 0 && list.lists.length === 0
     if (isEmpty) {
       if (list.cutAt !== null) parent.cut()

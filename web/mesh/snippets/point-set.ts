@@ -1,5 +1,6 @@
 /** Tables of numbers that are points, and their columns of x, y and z. */
 import type { MeshBuilder } from '../mesh-builder'
+import { shown } from '../text-cursor'
 import {
   areAllIntegers,
   areDistinct,
@@ -11,7 +12,7 @@ import {
   transposed,
   widthOf,
 } from './number-table'
-import { CELL_NAME, isNamed, NO_CELL_NAME, POINT_NAME, TRIANGLE_NAME } from './table-names'
+import { CELL_NAME, isNamed, LIST_MAKER, NO_CELL_NAME, POINT_NAME, TRIANGLE_NAME } from './table-names'
 
 /** Points, with what the text calls them. */
 export interface PointSet {
@@ -31,7 +32,8 @@ export function withAxesJoined(tables: readonly NumberTable[]): NumberTable[] {
   for (const table of tables) {
     joined.push(table)
     const three = joined.slice(-3)
-    const ends = three.map(({ names }) => (names.at(-1) ?? '').toLowerCase().replace(/s$/, '').at(-1)).join('')
+    const nameOf = ({ names }: NumberTable) => names.findLast(name => !LIST_MAKER.test(name)) ?? ''
+    const ends = three.map(own => nameOf(own).toLowerCase().replace(/s$/, '').at(-1)).join('')
     const [width] = three.map(widthOf)
     const areAlike = three.every(other => other.rows.length === 1 && widthOf(other) === width)
     if (ends !== 'xyz' || !areAlike || (width ?? 0) < EIGHT) continue
@@ -95,6 +97,9 @@ function anyPointSetOf(table: NumberTable, builder: MeshBuilder): PointSet | nul
       const points = table.rows.map(row => columns.map(c => row[c] as number))
       return set(points, ids !== null && areDistinct(ids) ? ids : null)
     }
+    const polar = table.header.find(title => POLAR.test(title))
+    if (polar !== undefined) return builder.refuse(`a column is called ${shown(polar)}: Cartesian x, y and z are read.`)
+    if (areComponents(table.header)) return null
   }
   if (width === 3) return set(table.rows, table.ids !== null && areDistinct(table.ids) ? table.ids : null)
   if (count === 3 && width >= EIGHT && (width % COORDINATES !== 0 || isNamed(table, POINT_NAME))) {
@@ -126,7 +131,8 @@ function numberedPoints(
   const [first, second] = columns as [number[], number[]]
   const last = columns[width - 1] as number[]
   const isId = (values: readonly number[], c: number) => table.integers[c] === true && isDistinctInEights(values)
-  const isReference = table.integers[width - 1] === true && (isConstant(last) || countsUp(last))
+  // Points of four coordinates end with 1.
+  const isReference = (table.integers[width - 1] || last[0] === 1) === true && (isConstant(last) || countsUp(last))
   const from = (c: number) => table.rows.map(row => row.slice(c, c + 3))
   const named = (ids: readonly number[]) => (areDistinct(ids) ? ids : null)
   if (width === 4) {
@@ -145,6 +151,9 @@ function numberedPoints(
       const labels = first.map(String)
       return { points: from(2), ids: named(second), labels, table }
     }
+    // FEAP and Z88 have a number of their own behind that of the node, Gmsh's scripts a size before it.
+    if (table.integers[1] && isConstant(second) && isId(first, 0)) return set(from(2), named(first))
+    if (isReference && isConstant(columns[3] as number[])) return set(from(0), named(last))
     if (areAllIntegers(table)) return null
   }
   if (table.rows.length % EIGHT !== 0) return null
@@ -162,6 +171,15 @@ function isDistinctInEights(values: readonly number[]): boolean {
 function isConstantInEights(values: readonly number[]): boolean {
   return values.length % EIGHT === 0 && inRowsOf(values, EIGHT).every(isConstant)
 }
+
+/** True for "UX UY UZ" and their kin: the columns of a vector that is no place. */
+export function areComponents(header: readonly string[]): boolean {
+  const titles = header.map(title => title.toLowerCase())
+  const own = titles.find(title => /^(?:[adefmnrstuvw]|rf|rot)_?x$/.test(title))?.slice(0, -1)
+  return own !== undefined && [`${own}y`, `${own}z`].every(title => titles.includes(title))
+}
+
+const POLAR = /^(?:r|rho|radius|theta|phi|lat|latitude|lon|longitude|[θφϕρ])$/i
 
 const AXES = ['x', 'y', 'z'] as const
 

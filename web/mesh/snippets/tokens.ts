@@ -7,18 +7,18 @@ import { asDouble } from '../../model/decimal'
 export type TokenKind = 'number' | 'word' | 'string' | 'mark' | 'line' | 'end'
 
 /**
- * A decimal number, an exponent in E, D, Q or Mathematica's *^, the suffixes of C, Rust and Fortran, and hexadecimal floats; or what programs
- * print for what is none. What follows must not go on as a word. It is tried once a word, and a word it fails on is passed over whole.
+ * A decimal number, an exponent in E, D, Q or Mathematica's *^ and its precision behind `, the suffixes of C, Rust, Julia and Fortran, and
+ * hexadecimal floats; or what programs print for what is none. What follows must not go on as a word. It is tried once a word, and a word it fails on is passed over whole.
  */
 const NUMBER =
-  /[-+−–]?(?:0[xX][\da-fA-F]+(?:\.[\da-fA-F]*)?[pP][-+]?\d+|(?:\d+(?:\.\d*)?|\.\d+)(?:(?:[eEdDqQ]|\*\^)[-+]?\d+)?|(?:[nN]a[nN]|NAN|inf|Inf|INF|Infinity|infinity)(?![.\w]))(?:[fFlL]|_?[fi](?:32|64)|_(?:[A-Za-z]\w{0,9}|4|8|16))?(?!\w|\.\d)/y
-const SUFFIX = /(?:_\w+|[fi](?:32|64)|[fl])$/
+  /[-+−–]?(?:0[xX][\da-fA-F]+(?:\.[\da-fA-F]*)?[pP][-+]?\d+|(?:\d+(?:\.\d*)?|\.\d+)(?:`+[\d.]*)?(?:(?:[eEdDqQ]|\*\^)[-+]?\d+)?|(?:[nN]a[nN]|NAN|inf|Inf|INF|Infinity|infinity)(?![.\w]))(?:[fFlL]|f0|_?[fi](?:32|64)|_(?:[A-Za-z]\w{0,9}|4|8|16))?(?!\w|\.\d)/y
+const SUFFIX = /(?:_\w+|[fi](?:32|64)|f0|[fl])$|`+[\d.]*/g
 const HEXADECIMAL = /^([-+]?)0x([\da-f]+)\.?([\da-f]*)p([-+]?\d+)$/
 
 /** Digits: zeros beyond those of a double are no matter. */
 const LONGEST_HEXADECIMAL = 40
 
-const [LF, QUOTE, APOSTROPHE, ASTERISK, MINUS, PLUS, DOT] = [10, 34, 39, 42, 45, 43, 46] as const
+const [LF, QUOTE, APOSTROPHE, ASTERISK, MINUS, PLUS, DOT, BACKTICK] = [10, 34, 39, 42, 45, 43, 46, 96] as const
 const [TRUE_MINUS, DASH] = [0x2212, 0x2013] as const
 
 export class Tokens {
@@ -153,7 +153,7 @@ function significantDigits(found: string): number {
     const code = found.charCodeAt(i)
     if (code >= 48 && code <= 57) {
       if (code !== 48 || digits > 0) digits++
-    } else if (isLetter(code) || code === ASTERISK) break
+    } else if (isLetter(code) || code === ASTERISK || code === BACKTICK) break
   }
   return digits
 }
