@@ -279,7 +279,7 @@ typedef struct hl_batch {
   double *corner_minima; /* the least jacdet at the eight vertices */
   int16_t *exponents;
   double *relative_minima; /* as in hl_report */
-  double *volumes;         /* as in hl_report, times 2^volume_exponent; 0.4 us a cell */
+  double *volumes;         /* as in hl_report, times 2^volume_exponent */
   int16_t *volume_exponents;
   /* Cells of each verdict; cells that integers decided, counted only with is_exact or minima; and
      the first cell that is unanswered, or the number of cells. */

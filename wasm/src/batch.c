@@ -30,6 +30,7 @@ typedef struct block {
   lane_minima lanes;
   bool has_lanes; /* the lanes' entries are those of the cells */
   lane_volumes volumes;
+  lane_nearest_volumes nearest;
   minima_lists out;
   double minima[HL_BLOCK], minimizers[3 * HL_BLOCK], corner_minima[HL_BLOCK];
   int16_t exponents[HL_BLOCK];
@@ -316,20 +317,29 @@ static hl_class class_in_block(const block *b, int c) {
   return class_of(b->hexahedra + 24 * c, b->verdicts[c]);
 }
 
+/* find_volume, in the lanes where they tell. */
+static double volume_in_block(const lane_kernels *kernels, const block *b, int c, int *exponent) {
+  *exponent = 0;
+  if (kernels && b->nearest.is_found[c]) return b->nearest.volume[c];
+  const scaled_double number = find_volume(b->hexahedra + 24 * c);
+  double volume = number.mantissa;
+  *exponent = scaled_back(&volume, 1, number.exponent);
+  return volume;
+}
+
+static bool asks_for_volumes(const hl_batch *batch) {
+  return batch->volumes || batch->volume_exponents || batch->relative_minima;
+}
+
 /* The lists of one cell beyond its verdict and minimum. */
-static void put_details(const hl_batch *batch, const block *b, int c, size_t cell) {
+static void put_details(const lane_kernels *kernels, const hl_batch *batch, const block *b, int c, size_t cell) {
   const double *vertices = b->hexahedra + 24 * c;
   const bool is_answered = b->statuses[c] == HL_OK;
   if (batch->classes) batch->classes[cell] = is_answered ? (uint8_t)class_in_block(b, c) : 0;
   if (batch->accepted_by) batch->accepted_by[cell] = is_answered ? (uint16_t)checks_that_accept(vertices) : 0;
-  if (!batch->volumes && !batch->volume_exponents && !batch->relative_minima) return;
-  double volume = NAN;
+  if (!asks_for_volumes(batch)) return;
   int exponent = 0;
-  if (is_answered) {
-    const scaled_double number = find_volume(vertices);
-    volume = number.mantissa;
-    exponent = scaled_back(&volume, 1, number.exponent);
-  }
+  const double volume = is_answered ? volume_in_block(kernels, b, c, &exponent) : NAN;
   if (batch->volumes) batch->volumes[cell] = volume;
   if (batch->volume_exponents) batch->volume_exponents[cell] = (int16_t)exponent;
   if (batch->relative_minima)
@@ -358,7 +368,7 @@ static void put_hints(const lane_kernels *kernels, const batch_hints *hints, siz
 }
 
 /* Hands on and counts the answers to a block. */
-static void hand_on(const block *b, size_t first, hl_batch *batch, batch_stages *stages) {
+static void hand_on(const lane_kernels *kernels, block *b, size_t first, hl_batch *batch, batch_stages *stages) {
   unsigned valid = 0, invalid = 0, exact = 0;
   const size_t count = (size_t)b->count;
   for (int c = 0; c < b->count; ++c) {
@@ -376,8 +386,9 @@ static void hand_on(const block *b, size_t first, hl_batch *batch, batch_stages 
   memcpy(batch->verdicts + first, b->verdicts, count);
   if (batch->statuses) memcpy(batch->statuses + first, b->statuses, count);
   if (batch->is_exact) memcpy(batch->is_exact + first, b->is_exact, count);
-  if (batch->classes || batch->accepted_by || batch->volumes || batch->volume_exponents || batch->relative_minima)
-    for (int c = 0; c < b->count; ++c) put_details(batch, b, c, first + (size_t)c);
+  if (kernels && asks_for_volumes(batch)) kernels->nearest_volumes(b->hexahedra, b->count, &b->nearest);
+  if (batch->classes || batch->accepted_by || asks_for_volumes(batch))
+    for (int c = 0; c < b->count; ++c) put_details(kernels, batch, b, c, first + (size_t)c);
 }
 
 static bool asks_for_hints(const batch_hints *hints) {
@@ -406,7 +417,7 @@ hl_status classify_with(const lane_kernels *kernels, const hl_cells *cells, hl_b
     choose_lists(batch, first, &b);
     if (asks_for_minima(batch)) minima_of_block(kernels, &b, stages);
     else decide_block(kernels, batch->is_exact != NULL, &b, stages);
-    hand_on(&b, first, batch, stages);
+    hand_on(kernels, &b, first, batch, stages);
     if (has_hints) put_hints(kernels, hints, first, &b);
   }
   return HL_OK;

@@ -68,4 +68,11 @@
 #define GREATEST_DOUBLE 0x1p250
 #define LEAST_PART_IN_LANES (LEAST_PART_OF_PERMANENT * (1 + 0x1p-40))
 
+/* Volumes in pairs of doubles, (V0): each of the 18 products of three carries two sums of pairs, of a column and of the minor, and up to
+   eight of the total, of 3u^2 each, and two products of 8u^2: 46u^2, less than 2^-100 of the sum of their magnitudes. */
+#define PAIR_ERROR 0x1p-98
+/* Coordinates whose products of three neither overflow nor lose the digits of their second doubles. */
+#define LEAST_COORDINATE 0x1p-250
+#define GREATEST_COORDINATE 0x1p250
+
 #endif

@@ -60,14 +60,6 @@ static void column_of(const double vertices[24], const unsigned char pairs[2][2]
   }
 }
 
-/* Each of the 18 products of three carries two sums of pairs, of a column and of the minor, and up to eight of the total, of 3u^2
-   each, and two products of 8u^2: 46u^2, less than 2^-100 of the sum of their magnitudes. */
-#define PAIR_ERROR 0x1p-98
-
-/* Coordinates whose products of three neither overflow nor lose the digits of their second doubles. */
-#define LEAST_COORDINATE 0x1p-250
-#define GREATEST_COORDINATE 0x1p250
-
 static bool are_ordinary(const double vertices[24]) {
   for (int i = 0; i < 24; ++i) {
     const double size = fabs(vertices[i]);

@@ -33,6 +33,12 @@ typedef struct lane_volumes {
   _Alignas(64) double size[HL_BLOCK];
 } lane_volumes;
 
+/* Volumes as they are where `is_found`: the nearest doubles. */
+typedef struct lane_nearest_volumes {
+  _Alignas(64) double volume[HL_BLOCK];
+  unsigned char is_found[HL_BLOCK];
+} lane_nearest_volumes;
+
 typedef struct lane_kernels {
   const char *name;
   int width; /* elements in one vector of doubles */
@@ -43,6 +49,7 @@ typedef struct lane_kernels {
      bernstein_factor and the sign of zero. */
   void (*corners)(const double *hexahedra, int count, lane_minima *out);
   void (*volumes)(const double *hexahedra, int count, lane_volumes *out);
+  void (*nearest_volumes)(const double *hexahedra, int count, lane_nearest_volumes *out);
 } lane_kernels;
 
 /* The widest that this machine runs, or null where there is none: then everything is done one by one. */

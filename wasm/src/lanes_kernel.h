@@ -275,8 +275,105 @@ static void volumes_of_block(const double *hexahedra, int count, lane_volumes *o
   for (int h = 0; h < count; h += DOUBLES) volumes_of_group(hexahedra + 24 * h, h, out);
 }
 
+/* The operations of integral.c in their order. */
+typedef struct pairs {
+  doubles high, low;
+} pairs;
+
+static inline pairs exact_sums(doubles a, doubles b) {
+  const doubles sum = a + b, b_part = sum - a;
+  return (pairs){sum, (a - (sum - b_part)) + (b - b_part)};
+}
+
+/* A double as two of 26 bits. */
+static inline pairs halves_of(doubles a) {
+  const doubles c = 134217729 * a, high = c - (c - a);
+  return (pairs){high, a - high};
+}
+
+static inline pairs exact_products(doubles a, pairs a_halves, doubles b, pairs b_halves) {
+  const doubles product = a * b;
+  return (pairs){product, ((a_halves.high * b_halves.high - product) + a_halves.high * b_halves.low +
+                           a_halves.low * b_halves.high) +
+                              a_halves.low * b_halves.low};
+}
+
+static inline pairs renewed_pairs(doubles high, doubles low) {
+  const doubles sum = high + low;
+  return (pairs){sum, low - (sum - high)};
+}
+
+static inline pairs sums_of(pairs a, pairs b) {
+  const pairs high = exact_sums(a.high, b.high), low = exact_sums(a.low, b.low);
+  const pairs first = renewed_pairs(high.high, high.low + low.high);
+  return renewed_pairs(first.high, first.low + low.low);
+}
+
+/* Entries of a column, and the halves of their first doubles. */
+typedef struct split_pairs {
+  pairs value, halves;
+} split_pairs;
+
+static inline split_pairs split(pairs a) { return (split_pairs){a, halves_of(a.high)}; }
+
+static inline pairs products_of(split_pairs a, split_pairs b) {
+  const pairs high = exact_products(a.value.high, a.halves, b.value.high, b.halves);
+  return renewed_pairs(high.high, high.low + (a.value.high * b.value.low + a.value.low * b.value.high));
+}
+
+static inline void add_exact_determinant(const split_pairs a[3], const split_pairs b[3], const split_pairs c[3],
+                                         pairs *total, doubles *size) {
+  for (int r = 0; r < 3; ++r) {
+    const int s = (r + 1) % 3, t = (r + 2) % 3;
+    pairs other = products_of(a[t], b[s]);
+    other.high = -other.high;
+    other.low = -other.low;
+    const split_pairs minor = split(sums_of(products_of(a[s], b[t]), other));
+    *total = sums_of(*total, products_of(minor, c[r]));
+    *size += (magnitude_of(a[s].value.high) * magnitude_of(b[t].value.high) +
+              magnitude_of(a[t].value.high) * magnitude_of(b[s].value.high)) *
+             magnitude_of(c[r].value.high);
+  }
+}
+
+/* (V0), with twice its bound. */
+static inline void nearest_volumes_of_group(const double *hexahedra, int first, lane_nearest_volumes *out) {
+  doubles p[24], size = all_doubles(0);
+  double_bits found = ~(double_bits){0};
+  for (int g = 0; g < 12; ++g) load_pair(hexahedra, g, p + 2 * g);
+  for (int i = 0; i < 24; ++i) {
+    const doubles magnitude = magnitude_of(p[i]);
+    found &= (magnitude <= GREATEST_COORDINATE) & ((magnitude >= LEAST_COORDINATE) | (magnitude == 0));
+  }
+  split_pairs differences[6][3], sums[3][3];
+  static const unsigned char ends[6][2] = {{1, 6}, {0, 7}, {3, 6}, {0, 2}, {0, 5}, {4, 6}};
+  static const unsigned char summed[3][2] = {{0, 1}, {2, 4}, {5, 3}};
+  for (int d = 0; d < 6; ++d)
+    for (int r = 0; r < 3; ++r) differences[d][r] = split(exact_sums(p[3 * ends[d][1] + r], -p[3 * ends[d][0] + r]));
+  for (int d = 0; d < 3; ++d)
+    for (int r = 0; r < 3; ++r)
+      sums[d][r] = split(sums_of(differences[summed[d][0]][r].value, differences[summed[d][1]][r].value));
+  pairs total = {all_doubles(0), all_doubles(0)};
+  add_exact_determinant(sums[0], differences[2], differences[3], &total, &size);
+  add_exact_determinant(differences[1], sums[1], differences[5], &total, &size);
+  add_exact_determinant(differences[0], differences[4], sums[2], &total, &size);
+
+  const doubles quotient = total.high / 12, twelve = all_doubles(12);
+  const pairs product = exact_products(quotient, halves_of(quotient), twelve, halves_of(twelve));
+  const doubles rest = ((total.high - product.high) - product.low + total.low) / 12;
+  const pairs result = renewed_pairs(quotient, rest);
+  const doubles error = 2 * (size * PAIR_ERROR + magnitude_of(result.high) * PAIR_ERROR);
+  found &= (result.high + (result.low + error) == result.high) & (result.high + (result.low - error) == result.high);
+  *(doubles *)(out->volume + first) = result.high + 0.0; /* -0 becomes 0 */
+  for (int h = 0; h < DOUBLES; ++h) out->is_found[first + h] = (unsigned char)(found[h] & 1);
+}
+
+static void nearest_volumes_of_block(const double *hexahedra, int count, lane_nearest_volumes *out) {
+  for (int h = 0; h < count; h += DOUBLES) nearest_volumes_of_group(hexahedra + 24 * h, h, out);
+}
+
 #define KERNELS_(name) lanes_##name
 #define KERNELS(name) KERNELS_(name)
 #define STRING_(name) #name
 #define STRING(name) STRING_(name)
-const lane_kernels KERNELS(LANES) = {STRING(LANES), DOUBLES, decide_block, corners_of_block, volumes_of_block};
+const lane_kernels KERNELS(LANES) = {STRING(LANES), DOUBLES, decide_block, corners_of_block, volumes_of_block, nearest_volumes_of_block};
