@@ -22,7 +22,7 @@ const stages = [
   [{ name: 'browser', run: browser, long: true }],
 ]
 
-/** A hundred thousand verdicts, each proved; and some of test:exact and test:read. */
+/** Some of test:exact and test:read, proofs of twenty thousand verdicts among them. */
 const LONG_UNIT_TESTS = ['tests/property/**', 'tests/exact/**', 'tests/read/**'].flatMap(path => ['--exclude', path])
 
 await runMain(async () => {
