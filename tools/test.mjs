@@ -2,6 +2,7 @@
 // browser, Python and the long native tests.
 
 import { mkdirSync, readdirSync, rmSync } from 'node:fs'
+import { availableParallelism } from 'node:os'
 import { join, relative } from 'node:path'
 import { parseArgs } from 'node:util'
 import { readJson, runPlaywright } from './playwright.mjs'
@@ -87,7 +88,13 @@ function judged(result, status) {
 
 /** The native, the unit and the Python tests need it: two makes side by side would write the same files. */
 async function buildNativeLibrary() {
-  const { status, text } = await run('make', ['-s', '-C', 'wasm', 'native', 'parity', 'library'])
+  const { status, text } = await run('make', [
+    '-s',
+    `-j${availableParallelism()}`,
+    '-C',
+    'wasm',
+    ...['native', 'parity', 'library'],
+  ])
   if (status !== 0) throw new Failure(`The native library was not built.\n${text}`)
 }
 
