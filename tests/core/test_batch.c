@@ -427,7 +427,7 @@ static void bad_cells_do_not_stop_the_others(void) {
       if (indexed && random_bits(&stream) % 4 == 0) own[0] = NAN;
     }
     const hl_cells cells = {v, CELLS * 24, indexed ? indices : NULL, indexed ? CELLS * 8 : 0};
-    /* Lists in turn: each with every share, and with every kernel. */
+    /* Lists in turn, each with every kernel. */
     for (int k = 0; k < kernel_count; ++k) check_batch(kernels[k], lists[(trial / 2 + k) % 3], &cells, answers, CELLS);
   }
 }
