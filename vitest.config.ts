@@ -4,6 +4,7 @@ export default defineConfig({
   test: {
     include: ['tests/**/*.test.ts'],
     environment: 'node',
+    setupFiles: ['tests/unit/equal-numbers.ts'],
     // Guards against hanging, not measurements: machines may be slow and busy.
     testTimeout: 120_000,
     hookTimeout: 120_000,

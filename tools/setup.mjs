@@ -6,6 +6,7 @@
 
 import { createHash } from 'node:crypto'
 import { existsSync, readFileSync, renameSync, rmSync, writeFileSync } from 'node:fs'
+import { availableParallelism } from 'node:os'
 import { dirname, join } from 'node:path'
 import { parseArgs } from 'node:util'
 import { findFirefox, findWebKitDriver, findXvfb, hasOtherBrowsers } from './browsers.mjs'
@@ -25,9 +26,22 @@ const testsPython = { folder: 'build/python', requirements: 'tests/property/requ
 const packagePython = { folder: 'build/package-python', requirements: 'python/tests/requirements.txt' }
 const hostsPython = { folder: 'build/hosts/python', requirements: 'tests/hosts/requirements.txt' }
 
+/** `beside`: it is awaited in the end, or before a step that `needsAll`. What such a step needs comes before it. */
 const steps = [
   { what: 'Node', isDone: nodeIsNewEnough, run: refuseNode },
-  { what: 'the npm packages', isDone: packagesAreCurrent, run: installPackages },
+  { what: 'the npm packages', isDone: packagesAreCurrent, run: installPackages, beside: true },
+  { what: 'python3', isDone: pythonStarts, run: installPython, for: ['check', 'unit', 'test', 'hosts', 'python'] },
+  ...[
+    { python: testsPython, for: ['unit', 'test'] },
+    { python: hostsPython, for: ['hosts'] },
+    { python: packagePython, for: ['python'] },
+  ].map(({ python, for: purposes }) => ({
+    what: `the Python packages of ${python.requirements}`,
+    isDone: () => pythonPackagesAreCurrent(python),
+    run: say => installPythonPackages(say, python),
+    for: purposes,
+    beside: true,
+  })),
   { what: 'make', isDone: () => onPath('make'), run: installMake },
   {
     what: 'a C compiler',
@@ -57,18 +71,13 @@ const steps = [
     for: ['bench'],
   },
   { what: 'a clang with libFuzzer', isDone: clangLinksFuzzer, run: installFuzzer, for: ['unit', 'test'] },
-  { what: 'python3', isDone: pythonStarts, run: installPython, for: ['check', 'unit', 'test', 'hosts', 'python'] },
-  ...[
-    { python: testsPython, for: ['unit', 'test'] },
-    { python: hostsPython, for: ['hosts'] },
-    { python: packagePython, for: ['python'] },
-  ].map(({ python, for: purposes }) => ({
-    what: `the Python packages of ${python.requirements}`,
-    isDone: () => pythonPackagesAreCurrent(python),
-    run: say => installPythonPackages(say, python),
-    for: purposes,
-  })),
-  { what: 'a Chromium that starts', isDone: findChromium, run: installChromium, for: ['test', 'hosts'] },
+  {
+    what: 'a Chromium that starts',
+    isDone: findChromium,
+    run: installChromium,
+    for: ['test', 'hosts'],
+    needsAll: true,
+  },
   { what: 'the fonts of the visual tests', isDone: hasVisualFonts, run: installVisualFonts, for: ['test'] },
   { what: 'Firefox, WebKitGTK and a screen for them', isDone: otherBrowsers, run: installOtherBrowsers, for: ['test'] },
 ]
@@ -78,12 +87,27 @@ export async function setup({ purpose = 'start', say = line => process.stdout.wr
   const wanted = steps.filter(step => !step.for || step.for.includes(purpose))
   if (await allDone(wanted)) return
   await withLock(join(root, 'build', 'setup.lock'), say, async () => {
+    const beside = []
     for (const step of wanted) {
+      if (step.needsAll) await Promise.all(beside)
       if (await step.isDone()) continue
-      await step.run(line => say(`setup: ${line}`))
-      if (!(await step.isDone())) throw new Failure(`Setup went through, but ${step.what} cannot be found afterwards.`)
+      const done = complete(step, say)
+      if (!step.beside) await done
+      else beside.push(done)
     }
+    await Promise.all(beside)
   })
+}
+
+/** Resolves when the step is done; whoever waits for it gets its Failure, also if another one came first. */
+function complete(step, say) {
+  const completed = async () => {
+    await step.run(line => say(`setup: ${line}`))
+    if (!(await step.isDone())) throw new Failure(`Setup went through, but ${step.what} cannot be found afterwards.`)
+  }
+  const done = completed()
+  done.catch(() => {})
+  return done
 }
 
 async function allDone(wanted) {
@@ -144,7 +168,7 @@ async function makeWithEmcc(say, target, what) {
   say(`building ${what}`)
   await must(
     'make',
-    ['-C', 'wasm', target, `EMCC=${emcc.path}`, `WASM2JS=${wasm2js}`],
+    ['-C', 'wasm', `-j${availableParallelism()}`, target, `EMCC=${emcc.path}`, `WASM2JS=${wasm2js}`],
     `It did not build with ${emcc.path}. If the C sources are as released, try another emcc (3.1.6 or later).`,
     { env: { ...process.env, ...emcc.env } },
   )
@@ -348,8 +372,16 @@ async function aptGet() {
 }
 
 let listsUpdated = false
+let lastInstall = Promise.resolve()
 
-async function installDebianPackages(say, what, packages) {
+/** One after another: apt-get locks its lists and packages. */
+function installDebianPackages(say, what, packages) {
+  const install = lastInstall.then(() => installWithAptGet(say, what, packages))
+  lastInstall = install.catch(() => {})
+  return install
+}
+
+async function installWithAptGet(say, what, packages) {
   const words = await aptGet()
   if (!words) throw new Failure(`Hexlens needs ${what}. ${installAdvice(packages)}`)
   say(`installing ${what} (apt-get install ${packages.join(' ')})`)

@@ -1,12 +1,12 @@
 // npm run test:exact: the laws of tests/exact in whole, where npm test has a hundredth of them, with their counts and times;
-// and all bit patterns of the parity of the wasm's twin.
+// all proofs of verdicts, where npm test has a fifth; and all bit patterns of the parity of the wasm's twin.
 // HEXLENS_SEED=7 draws others.
 
 import { join } from 'node:path'
 import { root, run, runMain } from './run.mjs'
 import { setup } from './setup.mjs'
 
-const TESTS = ['tests/exact', 'tests/unit/parity.test.ts']
+const TESTS = ['tests/exact', 'tests/property/verdict.', 'tests/property/verdict-border', 'tests/unit/parity.test.ts']
 
 await runMain(async () => {
   await setup({ purpose: 'unit' })

@@ -2,6 +2,7 @@
 // browser, Python and the long native tests.
 
 import { mkdirSync, readdirSync, rmSync } from 'node:fs'
+import { availableParallelism } from 'node:os'
 import { join, relative } from 'node:path'
 import { parseArgs } from 'node:util'
 import { readJson, runPlaywright } from './playwright.mjs'
@@ -22,7 +23,7 @@ const stages = [
   [{ name: 'browser', run: browser, long: true }],
 ]
 
-/** A hundred thousand verdicts, each proved; and some of test:exact and test:read. */
+/** Some of test:exact and test:read, proofs of twenty thousand verdicts among them. */
 const LONG_UNIT_TESTS = ['tests/property/**', 'tests/exact/**', 'tests/read/**'].flatMap(path => ['--exclude', path])
 
 await runMain(async () => {
@@ -87,7 +88,13 @@ function judged(result, status) {
 
 /** The native, the unit and the Python tests need it: two makes side by side would write the same files. */
 async function buildNativeLibrary() {
-  const { status, text } = await run('make', ['-s', '-C', 'wasm', 'native', 'parity', 'library'])
+  const { status, text } = await run('make', [
+    '-s',
+    `-j${availableParallelism()}`,
+    '-C',
+    'wasm',
+    ...['native', 'parity', 'library'],
+  ])
   if (status !== 0) throw new Failure(`The native library was not built.\n${text}`)
 }
 

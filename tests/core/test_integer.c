@@ -53,7 +53,7 @@ static int bits_of(unsigned_wide x) {
 }
 
 static void short_integers_are_those_of_the_machine(void) {
-  for (long n = 0; n < 100000; ++n) {
+  for (long n = 0; n < TIMES(100000); ++n) {
     workspace w = whole_workspace();
     const wide x = random_word(), y = random_word();
     const integer a = integer_of(&w, (int64_t)x), b = integer_of(&w, (int64_t)y);
@@ -73,7 +73,7 @@ static void short_integers_are_those_of_the_machine(void) {
 }
 
 static void long_integers_obey_their_laws(void) {
-  for (long n = 0; n < 20000; ++n) {
+  for (long n = 0; n < TIMES(20000); ++n) {
     workspace w = whole_workspace();
     const integer a = random_integer(&w, 2000), b = random_integer(&w, n % 2 ? 2000 : 60), c = random_integer(&w, 700);
     const integer sum = integer_sum(&w, a, b), difference = integer_difference(&w, a, b);
@@ -101,7 +101,7 @@ static void long_integers_obey_their_laws(void) {
 
 /* Products that agree in all but their last bits. */
 static void products_are_told_apart_in_the_last_bit(void) {
-  for (long n = 0; n < 5000; ++n) {
+  for (long n = 0; n < TIMES(5000); ++n) {
     workspace w = whole_workspace();
     const integer a = random_integer(&w, 500), one = integer_of(&w, 1), square = integer_product(&w, a, a);
     const integer below = integer_difference(&w, a, one), above = integer_sum(&w, a, one);
@@ -113,7 +113,7 @@ static void products_are_told_apart_in_the_last_bit(void) {
 }
 
 static void doubles_are_integers_times_powers_of_two(void) {
-  for (long n = 0; n < 100000; ++n) {
+  for (long n = 0; n < TIMES(100000); ++n) {
     workspace w = whole_workspace();
     uint64_t bits = random_bits(&stream);
     if ((bits >> 52 & 0x7ff) == 0x7ff) bits ^= (uint64_t)1 << 62;
@@ -149,7 +149,7 @@ static void check_nearest(workspace *w, integer numerator, integer denominator, 
 }
 
 static void integers_are_rounded_to_the_nearest_double(void) {
-  for (long n = 0; n < 50000; ++n) {
+  for (long n = 0; n < TIMES(50000); ++n) {
     workspace w = whole_workspace();
     integer a = random_integer(&w, n % 3 ? 400 : 70);
     if (n % 5 == 0) { /* a tie, or next to one */
@@ -168,7 +168,7 @@ static void integers_are_rounded_to_the_nearest_double(void) {
 }
 
 static void quotients_are_rounded_to_the_nearest_double(void) {
-  for (long n = 0; n < 30000; ++n) {
+  for (long n = 0; n < TIMES(30000); ++n) {
     workspace w = whole_workspace();
     integer denominator = integer_magnitude(random_integer(&w, n % 2 ? 300 : 40)), numerator = random_integer(&w, 500);
     if (is_zero(denominator)) denominator = integer_of(&w, 3);
@@ -194,7 +194,7 @@ static void quotients_are_rounded_to_the_nearest_double(void) {
 
 static void what_is_kept_stays_the_same(void) {
   enum { KEPT = 9 };
-  for (long n = 0; n < 20000; ++n) {
+  for (long n = 0; n < TIMES(20000); ++n) {
     workspace w = whole_workspace();
     integer kept[KEPT], copies[KEPT];
     for (int i = 0; i < 20; ++i) random_integer(&w, 200);

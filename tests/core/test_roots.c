@@ -99,7 +99,7 @@ static void check_found(const double roots[4], int count, double root, double wi
 }
 
 static void random_coefficients(void) {
-  for (long n = 0; n < 50000; ++n) {
+  for (long n = 0; n < TIMES(50000); ++n) {
     double p[5], roots[4];
     int degree = 1 + (int)(random_bits(&stream) % 4);
     for (int i = 0; i <= degree; ++i)
@@ -109,7 +109,7 @@ static void random_coefficients(void) {
 }
 
 static void known_simple_roots(void) {
-  for (long n = 0; n < 20000; ++n) {
+  for (long n = 0; n < TIMES(20000); ++n) {
     double root[4], p[5], roots[4];
     polynomial product = constant(1 + random_unit(&stream));
     int inside = (int)(random_bits(&stream) % 5);
@@ -129,7 +129,7 @@ static void known_simple_roots(void) {
 
 /* Double, triple and quadruple roots, with what is left of the degree elsewhere. */
 static void multiple_roots(void) {
-  for (long n = 0; n < 20000; ++n) {
+  for (long n = 0; n < TIMES(20000); ++n) {
     double p[5], roots[4];
     int multiplicity = 2 + (int)(random_bits(&stream) % 3);
     double root = (double)(1 + random_bits(&stream) % 63) / 64;
@@ -148,7 +148,7 @@ static void multiple_roots(void) {
 
 /* Two double roots, where the polynomial only touches zero, and pairs of roots 1e-3 to 1e-9 apart. */
 static void pairs(void) {
-  for (long n = 0; n < 20000; ++n) {
+  for (long n = 0; n < TIMES(20000); ++n) {
     double p[5], roots[4], x = 0.1 + 0.3 * random_unit(&stream), y = 0.6 + 0.3 * random_unit(&stream);
     bool touching = n % 2;
     double gap = touching ? 0 : pow(10, -3 - 6 * random_unit(&stream));
@@ -163,7 +163,7 @@ static void pairs(void) {
 
 /* The leading coefficients are roundoff: powers of t, from t^4 down, with factors of 1e-33. */
 static void vanishing_leading_coefficients(void) {
-  for (long n = 0; n < 20000; ++n) {
+  for (long n = 0; n < TIMES(20000); ++n) {
     double p[5], roots[4], x = 0.05 + 0.4 * random_unit(&stream), y = 0.55 + 0.4 * random_unit(&stream);
     int true_degree = 1 + (int)(random_bits(&stream) % 3);
     polynomial product = with_root(x);

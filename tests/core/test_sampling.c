@@ -5,7 +5,7 @@
 
 #include <string.h>
 
-enum { HEXAHEDRA = 10000, GRID = 24 };
+enum { HEXAHEDRA = 3000, GRID = 24 };
 
 /* The reference rounds 2^11 times finer, at most 64 times in a row. */
 #define LONG_DOUBLE_ERROR 0x1p-5

@@ -17,6 +17,7 @@ for (const colorScheme of ['light', 'dark'] as const) {
         await lens.set([0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0, 0, 1, 1, 0, 1, 1, 1, 1, 0, 1, 1])
         await expect(lens.verdict).toHaveText(/^VALID/)
         await page.setViewportSize(phone)
+        await lens.settled()
         await expectAxeFindsNothing(page)
       })
 
@@ -25,6 +26,7 @@ for (const colorScheme of ['light', 'dark'] as const) {
         await lens.button('Help').click()
         const help = page.locator('hex-lens .scene-help')
         await expect(help).toBeInViewport({ ratio: 1 })
+        await lens.settled()
         const [shown, stage] = [await help.boundingBox(), await lens.scene.boundingBox()]
         expect(shown?.y).toBeGreaterThanOrEqual(stage?.y as number)
         await expectAxeFindsNothing(page)

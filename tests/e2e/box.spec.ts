@@ -67,7 +67,7 @@ test('what Copy embed writes has most of its box for the picture, and grows by w
       element.style.width = `${width}px`
     }, width)
     await expect.poll(async () => (await measured(page)).width).toBe(width)
-    await lens.nextFrame()
+    await lens.settled()
     const { height, picture, element, covered, scrolls } = await measured(page)
     expect(height).toBeGreaterThanOrEqual(documented.height)
     expect(picture).toBeGreaterThan(height / 2)
@@ -78,6 +78,7 @@ test('what Copy embed writes has most of its box for the picture, and grows by w
     await expect(checks).toBeHidden()
     await lens.button('Details').click()
     await expect(checks).toBeVisible()
+    await lens.settled()
     const open = await measured(page)
     expect(open.picture).toBe(picture)
     expect([open.height > height + 200, open.scrolls]).toEqual([true, 0])

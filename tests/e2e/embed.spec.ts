@@ -1,6 +1,6 @@
 import type { Page } from '@playwright/test'
 import { hosts } from '../../web/panels/embed/hosts'
-import { expect, expectAxeFindsNothing, SCHEMES_AND_WIDTHS, test } from './lens'
+import { expect, expectAxeFindsNothing, expectNoSidewaysOverflow, SCHEMES_AND_WIDTHS, test } from './lens'
 
 const cube = [0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0, 0, 1, 1, 0, 1, 1, 1, 1, 0, 1, 1]
 
@@ -101,11 +101,7 @@ for (const [colorScheme, width, height] of SCHEMES_AND_WIDTHS) {
       await previewOf(page).scrollIntoViewIfNeeded()
       await expect(previewOf(page).getByRole('application')).toBeVisible()
       await expectAxeFindsNothing(page, '#panel-embed')
-      const [scroll, client] = await page.evaluate(() => {
-        const { scrollWidth, clientWidth } = document.documentElement
-        return [scrollWidth, clientWidth]
-      })
-      expect(scroll).toBe(client)
+      await expectNoSidewaysOverflow(page)
     })
   })
 }

@@ -4,7 +4,14 @@ import { readMeshes } from '../../web/mesh/read-mesh'
 import { fileOfBytes } from '../../web/mesh/source'
 import { verticesOf } from '../../web/mesh/vertices-of'
 import { drop, pasteAnywhere } from './input'
-import { expect, expectAxeFindsNothing, expectLargeTargets, inSchemesAndWidths, sidewaysOverflow, test } from './lens'
+import {
+  expect,
+  expectAxeFindsNothing,
+  expectLargeTargets,
+  expectNoSidewaysOverflow,
+  inSchemesAndWidths,
+  test,
+} from './lens'
 
 const cube = [0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0, 0, 1, 1, 0, 1, 1, 1, 1, 0, 1, 1]
 const upper = cube.map((value, i) => (i % 3 === 2 ? value + 1 : value))
@@ -238,7 +245,7 @@ test('axe finds nothing in either panel, and both fit', async ({ lens, page }) =
     await expectAxeFindsNothing(page, '#panel-paste')
     await expectAxeFindsNothing(page, '#panel-take-away')
     for (const name of ['Paste or drop', 'Take away']) await expectLargeTargets(panelOf(page, name).getByRole('button'))
-    expect(await sidewaysOverflow(page)).toBe(0)
+    await expectNoSidewaysOverflow(page)
   })
 })
 

@@ -1,5 +1,5 @@
 import type { Locator } from '@playwright/test'
-import { expect, expectLargeTargets, sidewaysOverflow, test } from './lens'
+import { expect, expectLargeTargets, expectNoSidewaysOverflow, test } from './lens'
 
 async function boxOf(locator: Locator) {
   const box = await locator.boundingBox()
@@ -10,6 +10,7 @@ async function boxOf(locator: Locator) {
 test('the picture is largest, the verdict in view, and nothing scrolls sideways', async ({ lens, page }) => {
   await page.setViewportSize({ width: 1440, height: 900 })
   await lens.open()
+  await lens.settled()
 
   await test.step('on a desktop the verdict is beside the picture, and the page does not scroll', async () => {
     const scene = await boxOf(lens.scene)
@@ -17,7 +18,7 @@ test('the picture is largest, the verdict in view, and nothing scrolls sideways'
     expect(scene.width).toBeGreaterThan(900)
     expect(scene.height).toBeGreaterThan(800)
     expect(verdict.x).toBeGreaterThanOrEqual(scene.x + scene.width)
-    expect(await sidewaysOverflow(page)).toBe(0)
+    await expectNoSidewaysOverflow(page)
     const down = await page.evaluate(() => {
       const { scrollHeight, clientHeight } = document.documentElement
       return scrollHeight - clientHeight
@@ -28,21 +29,21 @@ test('the picture is largest, the verdict in view, and nothing scrolls sideways'
   for (const width of [360, 390, 768])
     await test.step(`at ${width} pixels the picture comes first, the verdict under it, the rest below`, async () => {
       await page.setViewportSize({ width, height: 844 })
-      await lens.nextFrame()
+      await lens.settled()
       const scene = await boxOf(lens.scene)
       const verdict = await boxOf(lens.verdict)
       const vertices = await boxOf(page.getByRole('group', { name: 'Vertices' }))
       expect(verdict.y).toBeGreaterThanOrEqual(scene.y + scene.height)
       expect(verdict.y).toBeLessThan(844)
       expect(vertices.y).toBeGreaterThanOrEqual(verdict.y + verdict.height)
-      expect(await sidewaysOverflow(page)).toBe(0)
+      await expectNoSidewaysOverflow(page)
       await expect(lens.preset).toBeInViewport({ ratio: 1 })
       await expect(lens.button('Copy link')).toBeInViewport({ ratio: 1 })
     })
 
   await test.step('everything to press is at least 24 pixels each way', async () => {
     await page.setViewportSize({ width: 960, height: 640 })
-    await lens.nextFrame()
+    await lens.settled()
     await expectLargeTargets(lens.element.locator('button, input, select'))
   })
 })
@@ -53,11 +54,12 @@ test('on a large screen what is opened stands beside the verdict, and all is lar
   await lens.button('Algorithm 1, step by step').click()
   const panel = page.getByRole('region', { name: 'Algorithm 1, step by step' })
   await expect(panel.getByRole('list', { name: 'All steps' })).toBeVisible()
+  await lens.settled()
   const [scene, verdict, opened] = [await boxOf(lens.scene), await boxOf(lens.verdict), await boxOf(panel)]
   expect(verdict.x).toBeGreaterThanOrEqual(scene.x + scene.width)
   expect(opened.x).toBeGreaterThanOrEqual(verdict.x + verdict.width)
   expect(scene.width).toBeGreaterThan(verdict.width + opened.width)
-  expect(await sidewaysOverflow(page)).toBe(0)
+  await expectNoSidewaysOverflow(page)
   const sizeOf = (selector: string) =>
     page
       .locator(`hex-lens ${selector}`)

@@ -56,6 +56,14 @@ export class Lens {
     await this.nextFrame()
   }
 
+  /** Resolves when the views of an element that is seen show what it is, at the size it has: they follow its box a frame later. */
+  async settled(): Promise<void> {
+    await this.nextFrame()
+    await expect
+      .poll(() => this.element.evaluate(element => (element as HTMLElementTagNameMap['hex-lens']).complete))
+      .toBe(true)
+  }
+
   /** Resolves after the element's own frame, if one was due. */
   nextFrame(): Promise<void> {
     return this.page.evaluate(
@@ -147,9 +155,11 @@ export const SCHEMES_AND_WIDTHS = [
   ['dark', 360, 740],
 ] as const
 
-/** The pixels by which the page can be scrolled sideways. */
-export function sidewaysOverflow(page: Page): Promise<number> {
-  return page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth)
+/** The page cannot be scrolled sideways, as soon as its views have followed its width. */
+export async function expectNoSidewaysOverflow(page: Page): Promise<void> {
+  await expect
+    .poll(() => page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth))
+    .toBe(0)
 }
 
 /** Looks at one open page in each scheme and width, where nothing may be wider than the page. */
@@ -159,8 +169,9 @@ export async function inSchemesAndWidths(lens: Lens, look: () => Promise<void>):
       await lens.page.emulateMedia({ colorScheme })
       await lens.page.setViewportSize({ width, height })
       await lens.nextFrame()
+      await expectNoSidewaysOverflow(lens.page)
       await look()
-      expect(await sidewaysOverflow(lens.page)).toBe(0)
+      await expectNoSidewaysOverflow(lens.page)
     })
 }
 
@@ -169,16 +180,17 @@ export async function inSchemesAndWidths(lens: Lens, look: () => Promise<void>):
  * exempts; that they have room around them is axe's to see.
  */
 export async function expectLargeTargets(targets: Locator): Promise<void> {
-  const sizes = await targets.evaluateAll(elements =>
-    elements
-      .filter(element => element.checkVisibility() && !element.matches('data'))
-      .map(element => {
-        const { width, height } = element.getBoundingClientRect()
-        return { element: element.outerHTML.slice(0, 200), size: Math.min(width, height) }
-      }),
-  )
-  expect(sizes).not.toEqual([])
-  expect(sizes.filter(({ size }) => size < 24)).toEqual([])
+  const small = () =>
+    targets.evaluateAll(elements => {
+      const sizes = elements
+        .filter(element => element.checkVisibility() && !element.matches('data'))
+        .map(element => {
+          const { width, height } = element.getBoundingClientRect()
+          return { element: element.outerHTML.slice(0, 200), size: Math.min(width, height) }
+        })
+      return sizes.length === 0 ? 'None is visible.' : sizes.filter(({ size }) => size < 24)
+    })
+  await expect.poll(small).toEqual([])
 }
 
 /** No violation of WCAG 2.2 AA on the page, or in a part of the element. */

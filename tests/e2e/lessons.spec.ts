@@ -1,6 +1,13 @@
 /** The lessons as a reader has them: step by step, played with, left and come back to. */
 import type { Page } from '@playwright/test'
-import { expect, expectAxeFindsNothing, expectLargeTargets, inSchemesAndWidths, sidewaysOverflow, test } from './lens'
+import {
+  expect,
+  expectAxeFindsNothing,
+  expectLargeTargets,
+  expectNoSidewaysOverflow,
+  inSchemesAndWidths,
+  test,
+} from './lens'
 
 /** The step that is read. */
 const stepOf = (page: Page) => page.getByRole('article').filter({ has: page.locator('[aria-current=step]') })
@@ -198,5 +205,5 @@ test('axe finds nothing beside the lens or under it, and nothing is too small or
   })
   // 1280 × 1024 enlarged to 400 %.
   await page.setViewportSize({ width: 320, height: 256 })
-  expect(await sidewaysOverflow(page)).toBe(0)
+  await expectNoSidewaysOverflow(page)
 })

@@ -2,7 +2,7 @@
 import { readFileSync } from 'node:fs'
 import type { Page } from '@playwright/test'
 import { checked } from '../unit/certificate-checker'
-import { expect, expectAxeFindsNothing, expectLargeTargets, test } from './lens'
+import { expect, expectAxeFindsNothing, expectLargeTargets, expectNoSidewaysOverflow, test } from './lens'
 
 const headline = (page: Page) => page.locator('.overview .headline')
 const place = (page: Page) => page.locator('.one > .place')
@@ -37,6 +37,7 @@ test('the best place of a vertex of a mesh is found, shown, proved, taken and ta
     ] as const) {
       await page.emulateMedia({ colorScheme })
       await page.setViewportSize({ width, height: 800 })
+      await expectNoSidewaysOverflow(page)
       await expectAxeFindsNothing(page)
     }
     await expectLargeTargets(panel.locator('button, summary'))

@@ -3,7 +3,14 @@ import type { Page } from '@playwright/test'
 import { certificateJson, certify } from '../../web/core/exact/certificate'
 import { presets, presetVertices } from '../../web/model/presets'
 import { runsOf } from '../../web/panels/proof/runs'
-import { expect, expectAxeFindsNothing, expectLargeTargets, inSchemesAndWidths, sidewaysOverflow, test } from './lens'
+import {
+  expect,
+  expectAxeFindsNothing,
+  expectLargeTargets,
+  expectNoSidewaysOverflow,
+  inSchemesAndWidths,
+  test,
+} from './lens'
 
 const cube = [0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0, 0, 1, 1, 0, 1, 1, 1, 1, 0, 1, 1]
 const depthGuard = presetVertices(presets.find(({ id }) => id === 'depth-guard') ?? presets[0])
@@ -114,7 +121,7 @@ test('axe finds nothing in an open proof, also in one that waits', async ({ lens
       await lens.field(0, 'x').blur()
       await expect(proofOf(page)).not.toContainText('The proof follows when this change is done.')
       await expectAxeFindsNothing(page, '.certificate')
-      expect(await sidewaysOverflow(page)).toBe(0)
+      await expectNoSidewaysOverflow(page)
     }
     await expectAxeFindsNothing(page, '.checks')
     await expectLargeTargets(proofOf(page).getByRole('button'))

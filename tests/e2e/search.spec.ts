@@ -198,15 +198,11 @@ for (const address of ['search.html', 'gallery.html'])
     expect(covered / (width * height)).toBeLessThan(0.05)
   })
 
-for (const [width, height] of [
-  [1440, 900],
-  [390, 844],
+for (const [walk, width, height] of [
+  ['Back, reload and in a second tab', 1440, 900],
+  ['Back and reload', 390, 844],
 ] as const)
-  test(`finds, form and scroll are there after Back, reload and in a second tab, at ${width}x${height}`, async ({
-    lens,
-    page,
-    context,
-  }) => {
+  test(`finds, form and scroll are there after ${walk}, at ${width}x${height}`, async ({ lens, page, context }) => {
     await page.setViewportSize({ width, height })
     await lens.open('./search.html?find=corners&seed=4')
     await searchUntilFound(lens, page)
@@ -233,6 +229,7 @@ for (const [width, height] of [
     await page.reload()
     await unchanged(page)
     await expect.poll(scrolled).toBe(scroll)
+    if (walk === 'Back and reload') return
 
     const second = await context.newPage()
     await second.goto('./search.html')
@@ -261,7 +258,7 @@ test('it is said how sure nothing makes one, and that nothing can be kept', asyn
     }
   })
   await lens.button('Start').click()
-  await expect.poll(async () => (await counts(page))[0]).toBeGreaterThan(100_000)
+  await expect.poll(async () => (await counts(page))[0]).toBeGreaterThan(20_000)
   await lens.button('Stop').click()
   await expect(page.getByText('This browser has no room left for this page.')).toBeVisible()
   const [elements, found] = await counts(page)

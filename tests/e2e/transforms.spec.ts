@@ -4,8 +4,6 @@ import { expect, handleOf, type Point, test } from './lens'
 
 type Element = HTMLElementTagNameMap['hex-lens']
 
-test.use({ pictureRatio: 1 })
-
 const hosts: Readonly<Record<string, string>> = {
   none: '',
   'half the size': 'transform: scale(0.5)',
@@ -144,7 +142,7 @@ test('a pointer does the same under any transform, perspective or zoom, and whil
         .first()
         .evaluate(canvas => {
           const { width, clientWidth } = canvas as HTMLCanvasElement
-          return width / clientWidth
+          return width / clientWidth / devicePixelRatio
         })
       expect(sharpness).toBeCloseTo(name.startsWith('twice') ? 2 : name === 'zoomed' ? 1.5 : Math.max(1, sharpness), 1)
     })

@@ -87,7 +87,7 @@ test('the important comes first: verdict, sentence, checks, then bounds and coor
     [390, 844],
   ] as const) {
     await page.setViewportSize({ width, height })
-    await lens.nextFrame()
+    await lens.settled()
     const tops = await Promise.all(places.map(async place => (await place.boundingBox())?.y ?? Number.NaN))
     expect(tops, `at ${width} pixels`).toEqual(tops.toSorted((a, b) => a - b))
     // NaN is in order with any number.

@@ -74,9 +74,17 @@ const ENOUGH: Readonly<Record<string, number>> = {
   own: 2 * PIECE,
 }
 
+/** The search of seed 1, once for all tests that need a find of it. */
+function searchedEnough(id: string): Promise<Search> {
+  const known = searchesDone.get(id) ?? searched(queryOf(id), entry([ENOUGH[id] ?? 0], 0), force(2))
+  searchesDone.set(id, known)
+  return known
+}
+const searchesDone = new Map<string, Promise<Search>>()
+
 it.each(kinds.map(({ id }) => id))('finds %s, and what it polishes still has the property, exactly', async id => {
   const query = queryOf(id)
-  const search = await searched(query, entry([ENOUGH[id] ?? 0], 0), force(2))
+  const search = await searchedEnough(id)
   expect(search.elements).toBe(ENOUGH[id])
   expect(search.found).toBeGreaterThan(0)
   const finds = search.finds('simplicity')
@@ -185,7 +193,7 @@ it.each(['corners', 'gap', 'nine-points', 'depth-guard'])(
   'climbs from a find of %s, never down, and again the same',
   async id => {
     const query = queryOf(id)
-    const find = entry((await searched(query, entry([ENOUGH[id] ?? 0], 0), force(2))).finds('simplicity'), 0)
+    const find = entry((await searchedEnough(id)).finds('simplicity'), 0)
     const heights: number[] = []
     const best = await climbed(query, find.vertices, force(1), { onStep: step => heights.push(step.extremeness) })
     expect(heights).toEqual(heights.toSorted((a, b) => a - b))
@@ -242,7 +250,7 @@ it('climbs only where the distribution goes: its grid, its box, its symmetry, it
 
 it('a climb that is stopped has come as far as it said', async () => {
   const query = queryOf('depth-guard')
-  const find = entry((await searched(query, entry([ENOUGH['depth-guard'] ?? 0], 0), force(2))).finds('extremeness'), 0)
+  const find = entry((await searchedEnough('depth-guard')).finds('extremeness'), 0)
   const whole: number[] = []
   await climbed(query, find.vertices, force(1), { onStep: ({ extremeness }) => whole.push(extremeness) })
   const climb = new Improvement({ kind: 'climb', query, vertices: find.vertices, name: 'a' })
