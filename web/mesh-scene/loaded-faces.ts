@@ -1,6 +1,6 @@
 /** What the picture draws, and what it draws next: faces are loaded bit by bit, frame after frame, and then take the place of those before. */
 import type { FaceList } from '../survey/survey-jobs'
-import { CHUNK_FACES, FaceChunks } from './face-chunks'
+import { CHUNK_FACES, FACES_AT_ONCE, FaceChunks } from './face-chunks'
 
 export interface Content {
   /** The boundary of the mesh, as far as `hidden` leaves it; null if `surface` has all that is to be seen. */
@@ -26,9 +26,6 @@ export const NO_CONTENT: Content = {
   size: 1,
   hasGhost: false,
 }
-
-/** Faces at once: some eight megabytes, ten milliseconds for a slow machine. */
-const FACES_AT_ONCE = 8 * CHUNK_FACES
 
 const LISTS = ['boundary', 'surface', 'invalid'] as const
 type ListName = (typeof LISTS)[number]

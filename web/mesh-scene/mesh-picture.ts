@@ -209,7 +209,7 @@ export class MeshPicture {
     const hitOf = (name: keyof typeof lists) => {
       const list = lists[name]
       const hidden = name === 'boundary' ? content.hidden : null
-      return list && firstHit(list.faces, hidden, { origin: from, direction }, content.size)
+      return list && firstHit(list, hidden, { origin: from, direction }, content.size)
     }
     const invalid = hitOf('invalid')
     if (isThrough && this.#layers.surface.isTranslucent && invalid) return invalid.cell
