@@ -11,6 +11,7 @@ import { written } from '../../model/document-readers'
 import { type Vec3, type Vertices, vertexOf } from '../../model/hexahedron'
 import type { Around, MovementCounts, Moves, Row } from '../../survey/survey-jobs'
 import { LiveCells } from './live-cells'
+import { isTyping } from './typing'
 
 export interface MovingHost {
   /** Rows of the list as they are while a vertex moves. */
@@ -59,8 +60,7 @@ export class MovingLens {
     lens.addEventListener('hex-change', () => this.#onChange())
     lens.addEventListener('keydown', event => this.#onKey(event), { capture: true })
     document.addEventListener('keydown', event => {
-      const isTyping = event.target instanceof HTMLElement && event.target.matches('input, textarea, select, hex-lens')
-      if (!isTyping && !event.defaultPrevented) this.#onKey(event)
+      if (!isTyping(event) && !event.defaultPrevented) this.#onKey(event)
     })
     // Without it the worker answers alone, when a move is done.
     fetchCore(coreFiles).then(

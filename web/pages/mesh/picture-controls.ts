@@ -21,6 +21,7 @@ import {
   sliceAt,
   unitOf,
 } from './picture-settings'
+import { isTyping } from './typing'
 
 export interface PictureHost {
   /** The boundary of the mesh. */
@@ -347,9 +348,8 @@ export class PictureControls implements BarHost {
     canvas.addEventListener('pointerleave', () => this.#leave())
     canvas.addEventListener('keydown', event => this.#onKey(event))
     document.addEventListener('keydown', event => {
-      const isTyping = event.target instanceof HTMLElement && event.target.matches('input, textarea, select, hex-lens')
       const isUndo = (event.ctrlKey || event.metaKey) && !event.shiftKey && !event.altKey && event.key === 'z'
-      if (isTyping || !isUndo || this.#settings.away.length === 0) return
+      if (isTyping(event) || !isUndo || this.#settings.away.length === 0) return
       event.preventDefault()
       this.undoDig()
     })
