@@ -17,6 +17,12 @@ export interface Content {
   readonly hasGhost: boolean
 }
 
+/** The opacity of a surface through which invalid cells are seen. */
+export const TRANSLUCENT = 0.28
+
+/** Cells inside of which all faces are drawn: more would be a second of drawing on a slow machine, and what is left out is said. */
+export const MOST_WHOLE = 20_000
+
 export const NO_CONTENT: Content = {
   boundary: null,
   hidden: null,

@@ -182,12 +182,15 @@ export class MeshPicture {
     this.draw()
   }
 
-  turn(right: number, up: number): void {
-    this.#camera.turn(right, up)
-  }
-
-  zoom(factor: number): void {
-    this.#camera.zoom(factor)
+  /** What keys do with the camera. */
+  readonly keys: Readonly<Record<string, () => void>> = {
+    ArrowLeft: () => this.#camera.turn(-1, 0),
+    ArrowRight: () => this.#camera.turn(1, 0),
+    ArrowUp: () => this.#camera.turn(0, 1),
+    ArrowDown: () => this.#camera.turn(0, -1),
+    '+': () => this.#camera.zoom(1.25),
+    '-': () => this.#camera.zoom(0.8),
+    f: () => this.fit(),
   }
 
   /** From the target to the eye, of length 1. */

@@ -3,6 +3,7 @@ import type { CheckId } from '../core/report'
 import { CHECKS, CLASSES } from '../core/unpack'
 import type { AcceptedInvalid } from '../mesh/accepted-invalid'
 import { CheckedCells, columnsOf } from '../mesh/checked-cells'
+import { FACES } from '../mesh/face-loops'
 import { histogramOf } from '../mesh/histogram'
 import type { MeshCheck } from '../mesh/mesh-check'
 import { Joining, type Neighbours } from '../mesh/neighbours'
@@ -31,7 +32,6 @@ import type {
   ShownCells,
 } from './survey-jobs'
 
-const FACES = 6
 const NOT_LISTED = 0xffffffff
 
 export class Survey {

@@ -23,8 +23,8 @@ export interface VolumeBounds {
 export function volumeBoundsOf({ points, cells }: Pick<Mesh, 'points' | 'cells'>): VolumeBounds {
   const v = new Float64Array(24)
   const a = new Float64Array(9)
-  /** Adds a determinant of three columns; returns the product of their sums of magnitudes. */
   let volume = 0
+  /** Adds the determinant of the three columns in `a`; returns the product of their sums of magnitudes. */
   function add(): number {
     const [a0, a1, a2] = [a[0] as number, a[1] as number, a[2] as number]
     const [b0, b1, b2] = [a[3] as number, a[4] as number, a[5] as number]

@@ -10,7 +10,7 @@ import { serveSurvey } from './serve-survey'
 
 function helper(): WorkerPort {
   const worker = new Worker(new URL('../core/batch/worker.ts', import.meta.url), { type: 'module' })
-  return pagePort(worker, 'its script was not loaded, or a policy of the page forbids it.')
+  return pagePort(worker)
 }
 
 let readingCore: ReturnType<typeof readingFiles> | null = null

@@ -1,5 +1,6 @@
 /** Which cell is chosen: in the list, in the picture, by its id, or the next invalid one. All views show the same one. */
 import type { CellTable } from '../../mesh-views/cell-table'
+import type { Place } from '../../survey/survey-jobs'
 import type { ChosenView } from './chosen-view'
 import type { MeshMoves } from './mesh-moves'
 import type { MovingLens } from './moving-lens'
@@ -65,21 +66,16 @@ export class Choosing {
 
   /** In the list it is where it is found. */
   async chooseAnywhere(cell: number): Promise<void> {
-    const place = await this.#state.asked(open => open.placeOf(cell))
-    if (place) await this.choose(cell, place.rank)
+    await this.#chooseAt(await this.#state.asked(open => open.placeOf(cell)))
   }
 
   async flyTo(cell: number): Promise<void> {
-    await this.chooseAnywhere(cell)
-    this.#views.picture.flyToChosen()
+    await this.#flyThere(await this.#state.asked(open => open.placeOf(cell)))
   }
 
   async goToNext(step: 1 | -1): Promise<void> {
     const rank = this.#state.chosen?.rank ?? (step > 0 ? -1 : 0)
-    const place = await this.#state.asked(open => open.nextInvalid(rank, step))
-    if (!place) return
-    await this.choose(place.cell, place.rank)
-    this.#views.picture.flyToChosen()
+    await this.#flyThere(await this.#state.asked(open => open.nextInvalid(rank, step)))
   }
 
   async goTo(id: string): Promise<void> {
@@ -87,8 +83,15 @@ export class Choosing {
     const place = await this.#state.asked(open => open.find(id, this.#state.chosen?.rank ?? -1))
     if (own !== this.#state.survey) return
     this.#state.set({ message: place ? '' : `There is no cell ${id} in the list.` })
-    if (!place) return
-    await this.choose(place.cell, place.rank)
-    this.#views.picture.flyToChosen()
+    await this.#flyThere(place)
+  }
+
+  async #chooseAt(place: Place | null): Promise<void> {
+    if (place) await this.choose(place.cell, place.rank)
+  }
+
+  async #flyThere(place: Place | null): Promise<void> {
+    await this.#chooseAt(place)
+    if (place) this.#views.picture.flyToChosen()
   }
 }

@@ -98,12 +98,11 @@ const steps = new StepsView(part('.steps'), {
   goTo: cell => choosing.flyTo(cell),
 })
 
-const moves = new MeshMoves(state, { moving, untangling }, (own, overview) =>
-  showing.showAnew(own, overview, chosenCell()),
-)
-const listing = new Listing(state, { table, picture })
-const choosing = new Choosing(state, { table, picture, chosen: chosenView, moving, place, steps }, moves)
-const showing = new Showing(state, { table, picture, moving, steps, untangling }, { listing, choosing, travel })
+const views = { table, picture, chosen: chosenView, moving, place, steps, untangling }
+const moves = new MeshMoves(state, views, (own, overview) => showing.showAnew(own, overview, chosenCell()))
+const listing = new Listing(state, views)
+const choosing = new Choosing(state, views, moves)
+const showing = new Showing(state, views, { listing, choosing, travel })
 const opener = new Opener(state, { showing, moves, travel }, selector =>
   overviewRoot.querySelector<HTMLElement>(selector)?.focus(),
 )

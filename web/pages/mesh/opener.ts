@@ -1,5 +1,5 @@
 /** Opens meshes, each in a worker of its own. The mesh that was open stays until the other one is decided; its worker is ended then. */
-import type { PastedInput } from '../../input/pasted-input'
+import { inputName, type PastedInput } from '../../input/pasted-input'
 import { WaitingFiles } from '../../input/waiting-files'
 import { OpenSurvey } from '../../survey/open-survey'
 import type { Fix, Opening, Overview } from '../../survey/survey-jobs'
@@ -39,7 +39,7 @@ export class Opener {
   async open(given: PastedInput, example: Example | null = null): Promise<void> {
     const state = this.#state
     const input = this.#waiting.completed(given)
-    const name = nameOf(input)
+    const name = inputName(input)
     this.#opening?.close()
     const own = this.#spare ?? new OpenSurvey(startSurveyWorker)
     this.#spare = null
@@ -134,10 +134,4 @@ export class Opener {
     if (!survey) return null
     return shown.example ? 'the example' : (shown.overview?.name ?? null)
   }
-}
-
-function nameOf(input: PastedInput): string {
-  if ('text' in input) return 'the text'
-  const [first] = input.files
-  return input.files.length === 1 && first ? first.name : `${input.files.length} files`
 }

@@ -3,6 +3,7 @@ import { html, nothing, type TemplateResult } from 'lit-html'
 import type { PastedInput } from '../../input/pasted-input'
 import type { ReadingProgress } from '../../input/reading'
 import { LOADING } from '../../mesh/hdf5-reader'
+import { headlineTemplate } from '../../mesh-views/headline'
 import type { Fix } from '../../survey/survey-jobs'
 import { EXAMPLES, type Example } from './examples'
 import { notesTemplate } from './notes'
@@ -69,12 +70,6 @@ function examplesTemplate({ example }: Shown, actions: OverviewActions): Templat
     <option value="" .selected=${example === null}>Examples</option>
     ${EXAMPLES.map((each, i) => html`<option value=${i} .selected=${each === example}>${each.name}</option>`)}
   </select>`
-}
-
-/** INVALID counts stand out. */
-function headlineTemplate(headline: string): TemplateResult {
-  const [first, ...others] = headline.split(/(?<=\.) /)
-  return html`<strong>${first}</strong> ${others.join(' ')}`
 }
 
 const doing: Readonly<Record<ReadingProgress['step'], (name: string) => string>> = {
