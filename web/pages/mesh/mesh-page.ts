@@ -47,8 +47,8 @@ const table = new CellTable(listRoot, {
 })
 const histogram = new HistogramView(range => void listing.select(state.shown.condition, range))
 const picture = new PictureControls(part('.picture'), {
-  boundary: () => state.survey?.faces(BOUNDARY) ?? Promise.reject(new Error('No mesh is open.')),
-  cut: cells => state.survey?.cut(cells) ?? Promise.reject(new Error('No mesh is open.')),
+  boundary: async () => state.opened.faces(BOUNDARY),
+  cut: async cells => state.opened.cut(cells),
   choose: cell => void choosing.chooseAnywhere(cell),
   name: async cell => (await state.asked(own => own.detail(cell)))?.row ?? null,
   changed: () => travel.touch(),

@@ -79,6 +79,12 @@ export class PageState {
     return this.#survey
   }
 
+  /** The same; throws if none is. */
+  get opened(): OpenSurvey {
+    if (!this.#survey) throw new Error('No mesh is open.')
+    return this.#survey
+  }
+
   /** Changes what is shown, and draws it. */
   set(changes: Partial<Shown>): void {
     this.#shown = { ...this.#shown, ...changes }

@@ -102,8 +102,8 @@ export class PictureControls implements BarHost {
     return this.#picture.view
   }
 
-  /** Another mesh, or none. */
-  open(overview: Overview | null, settings = FIRST_SETTINGS, camera: CameraView | null = null): void {
+  /** Another mesh. */
+  open(overview: Overview, settings = FIRST_SETTINGS, camera: CameraView | null = null): void {
     this.#overview = overview
     this.#settings = settings
     const [, upper] = settings.relative ?? firstThreshold(overview)
@@ -119,7 +119,7 @@ export class PictureControls implements BarHost {
     this.#boundary = null
     this.#mesh++
     this.#wanted++
-    this.#picture.open(overview?.bounds ?? null, camera)
+    this.#picture.open(overview.bounds, camera)
     this.#picture.colouring = settings.colours
     this.#put()
   }
@@ -414,8 +414,8 @@ const KEYS = [
 ].join('; ')
 
 /** At which the ten worst cells are seen, at least. */
-function firstThreshold(overview: Overview | null): readonly [number, number] {
-  const tenth = overview?.worst.slice(0, 10).at(-1)?.relativeMinimum ?? Number.NaN
+function firstThreshold({ worst }: Overview): readonly [number, number] {
+  const tenth = worst.slice(0, 10).at(-1)?.relativeMinimum ?? Number.NaN
   return [-Infinity, tenth > LEAST_THRESHOLD ? Math.min(1, Math.ceil(10 * tenth) / 10) : LEAST_THRESHOLD]
 }
 

@@ -1,6 +1,6 @@
 /** What can be taken away of the open mesh: a menu of files, which the mesh's worker writes. */
 import { html, nothing, render, type TemplateResult } from 'lit-html'
-import { MESH_FORMS } from '../../outputs/meshes/list'
+import { FORM_WORDS } from '../../outputs/meshes/form-words'
 import type { OpenSurvey } from '../../survey/open-survey'
 import type { FormId, MovementCounts, Overview } from '../../survey/survey-jobs'
 import { saveFile } from '../../views/save-file'
@@ -41,8 +41,8 @@ const WHOLE: readonly FileWords[] = [
     ending: '.json',
     mediaType: 'application/json',
   },
-  ...MESH_FORMS.map(
-    ({ id, name, what, mediaType }): FileWords => ({
+  ...Object.entries(FORM_WORDS).map(
+    ([id, { name, what, mediaType }]): FileWords => ({
       form: `mesh.${id}`,
       name,
       what,
@@ -54,8 +54,8 @@ const WHOLE: readonly FileWords[] = [
 ]
 
 const INVALID: readonly FileWords[] = [
-  ...MESH_FORMS.map(
-    ({ id, name, whatOfPart, mediaType }): FileWords => ({
+  ...Object.entries(FORM_WORDS).map(
+    ([id, { name, whatOfPart, mediaType }]): FileWords => ({
       form: `invalid.${id}`,
       name,
       what: whatOfPart,

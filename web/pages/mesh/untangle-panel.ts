@@ -103,10 +103,10 @@ export class UntanglePanel {
     return this.#section.root
   }
 
-  /** Another mesh, or none. */
-  open(overview: Overview | null, whyNot: string): void {
+  /** Another mesh. */
+  open(overview: Overview, whyNot: string): void {
     this.#stop()
-    this.button.hidden = overview === null
+    this.button.hidden = false
     this.#section.open(false)
     this.#set({ ...FIRST, overview, whyNot })
   }
