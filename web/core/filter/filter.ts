@@ -37,7 +37,7 @@ class Enclosures {
   readonly upper = new Float64Array(NUMBERS.length)
   valid = false
   /** By how much a jacdet of the report may be off. */
-  reportError = Infinity
+  reportError = 0
 
   mayBeZero(name: NumberName): boolean {
     return (this.upper[INDEX[name]] as number) >= 0
@@ -65,6 +65,10 @@ export function filterOf({ claim, names }: Condition, measure: NumberNode, start
   const needsCoefficients = names.some(name => !OF_THE_VERDICT.includes(name))
   const bernstein = new Float64Array(BERNSTEIN_COUNT)
   const fine = new Float64Array(FINE ** 3)
+  let judged: { readonly elements: Float64Array; readonly at: number } = {
+    elements: new Float64Array(COORDINATE_COUNT),
+    at: 0,
+  }
   const mayBe = (set: () => void) => {
     set()
     return truth() !== FALSE
@@ -80,7 +84,7 @@ export function filterOf({ claim, names }: Condition, measure: NumberNode, start
     },
     judge(elements, at, valid) {
       byVerdict(known, valid)
-      known.reportError = REPORT_ERROR * cubeOf(elements, at)
+      judged = { elements, at }
       if (countsMoved) byMoved(known, elements, at, start)
       if (needsCoefficients) {
         const error = coefficientError(elements, at)
@@ -97,6 +101,7 @@ export function filterOf({ claim, names }: Condition, measure: NumberNode, start
       return truth()
     },
     measureAtMost() {
+      known.reportError = REPORT_ERROR * cubeOf(judged.elements, judged.at)
       const most = measured.upper()
       return Number.isNaN(most) ? Infinity : most
     },
@@ -416,9 +421,9 @@ function compiledNumber(node: NumberNode, arithmetic: Arithmetic): Interval {
   const [left, right] = [compiledNumber(node.left, arithmetic), compiledNumber(node.right, arithmetic)]
   switch (node.kind) {
     case '+':
-      return fromEnds(left, right, SUM, isExact)
+      return sumOfIntervals(left, right, isExact)
     case '-':
-      return fromEnds(left, negated(right), SUM, isExact)
+      return sumOfIntervals(left, negated(right), isExact)
     case '*':
       return fromEnds(left, right, PRODUCT, isExact)
     case '/':
@@ -483,17 +488,39 @@ function upperHalf(x: number): number {
   return shifted - (shifted - x)
 }
 
-/** From the ends of intervals. */
-function fromEnds(a: Interval, b: Interval, { of, isExact }: Operation, isWidened: boolean): Interval {
-  const at = (x: number, y: number, sign: 1 | -1) => {
-    const value = of(x, y)
-    return isWidened && !isExact(x, y, value) ? value + sign * roomAround(value) : value
+/** A result, made less or greater by what it may have rounded if intervals are widened. */
+function rounded({ of, isExact }: Operation, isWidened: boolean) {
+  const room = (x: number, y: number, value: number) => (isWidened && !isExact(x, y, value) ? roomAround(value) : 0)
+  return {
+    down(x: number, y: number): number {
+      const value = of(x, y)
+      return value - room(x, y, value)
+    },
+    up(x: number, y: number): number {
+      const value = of(x, y)
+      return value + room(x, y, value)
+    },
   }
-  const extreme = (pick: (...values: number[]) => number, sign: 1 | -1) => () => {
-    const [a0, a1, b0, b1] = [a.lower(), a.upper(), b.lower(), b.upper()]
-    return pick(at(a0, b0, sign), at(a0, b1, sign), at(a1, b0, sign), at(a1, b1, sign))
+}
+
+function sumOfIntervals(a: Interval, b: Interval, isWidened: boolean): Interval {
+  const { down, up } = rounded(SUM, isWidened)
+  return { lower: () => down(a.lower(), b.lower()), upper: () => up(a.upper(), b.upper()) }
+}
+
+/** A product or a quotient: the least and the greatest of the ends'. */
+function fromEnds(a: Interval, b: Interval, operation: Operation, isWidened: boolean): Interval {
+  const { down, up } = rounded(operation, isWidened)
+  return {
+    lower() {
+      const [a0, a1, b0, b1] = [a.lower(), a.upper(), b.lower(), b.upper()]
+      return Math.min(down(a0, b0), down(a0, b1), down(a1, b0), down(a1, b1))
+    },
+    upper() {
+      const [a0, a1, b0, b1] = [a.lower(), a.upper(), b.lower(), b.upper()]
+      return Math.max(up(a0, b0), up(a0, b1), up(a1, b0), up(a1, b1))
+    },
   }
-  return { lower: extreme(Math.min, -1), upper: extreme(Math.max, 1) }
 }
 
 /**
