@@ -61,11 +61,18 @@ export class FaceChunks {
     return this.#loaded === this.faces.cells.length
   }
 
-  /** Where the faces are. Of a list that has been loaded at once this is found when it is first wanted: few lists are pointed at. */
+  /** Where the faces are. */
   get bins(): readonly FaceBins[] {
-    for (const { first, count } of this.#chunks.slice(this.#bins.length))
-      this.#bins.push(new FaceBins(this.faces, first, count))
+    while (this.find());
     return this.#bins
+  }
+
+  /** Finds where the faces of the next chunk are. False if it is known of all that are loaded. */
+  find(): boolean {
+    const chunk = this.#chunks[this.#bins.length]
+    if (!chunk) return false
+    this.#bins.push(new FaceBins(this.faces, chunk.first, chunk.count))
+    return true
   }
 
   /** Loads the next chunk. */
@@ -88,7 +95,8 @@ export class FaceChunks {
     if (middles) put('middle', middles, 3)
     this.#chunks.push({ geometry, first, count, buffers, hidden: null })
     this.#loaded += count
-    if (cells.length > FACES_AT_ONCE) this.#bins.push(new FaceBins(this.faces, first, count))
+    // Of so many faces nobody can wait for it when the picture is pointed at; others come and go, and are seldom pointed at.
+    if (cells.length > FACES_AT_ONCE) this.find()
   }
 
   /** 1 for each vertex of a face that is hidden, or null; all are loaded by now. */

@@ -91,6 +91,11 @@ export class LoadedFaces {
     return true
   }
 
+  /** Finds where some of the faces are. False if it is known of all that are drawn. */
+  find(): boolean {
+    return LISTS.some(name => this.#lists[name]?.find())
+  }
+
   /** All of it again, for a context that has lost it. */
   renew(gl: WebGL2RenderingContext): void {
     const content = this.#next?.content ?? this.#content

@@ -61,6 +61,7 @@ export class MeshPicture {
   #neighbours: readonly Neighbour[] = []
   #painted: { readonly theme: Theme; readonly ramp: Ramp } | null = null
   #frame = 0
+  #finding: ReturnType<typeof setTimeout> | undefined
   #isNew = true
   #first: CameraView | null = null
   readonly #takesWheel: (event: WheelEvent) => boolean
@@ -248,6 +249,7 @@ export class MeshPicture {
 
   dispose(): void {
     cancelAnimationFrame(this.#frame)
+    clearTimeout(this.#finding)
     this.#observer.disconnect()
     this.#theme.dispose()
     this.#listening.abort()
@@ -344,8 +346,15 @@ export class MeshPicture {
       ghost.lists = content.hasGhost ? some(lists.boundary) : []
       surface.opacity = content.opacity
       if (this.#opacity < 1 !== wasTranslucent) this.#recolour()
+      this.#findLater(REST)
     }
     if (this.#faces.isLoading) this.draw()
+  }
+
+  /** Once faces have come to rest, it is found where they are, before anybody points at them. */
+  #findLater(milliseconds: number): void {
+    clearTimeout(this.#finding)
+    this.#finding = setTimeout(() => this.#faces.find() && this.#findLater(0), milliseconds)
   }
 
   get #opacity(): number {
@@ -429,6 +438,8 @@ export class MeshPicture {
 const PASSES = ['invalid', 'depth', 'surface', 'ghost'] as const
 const GHOST = { opacity: 0.1, lineOpacity: 0, writesDepth: false, showsHidden: true }
 const NO_HIT = { cell: null, distance: Infinity }
+/** Milliseconds without other faces. */
+const REST = 200
 /** CSS pixels about the mesh. */
 const MARGIN = 24
 /** A cell is shown with the space of so many of it along each axis. */
