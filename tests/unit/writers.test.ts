@@ -9,6 +9,7 @@ import type { MeshCheck } from '../../web/mesh/mesh-check'
 import { readMeshes } from '../../web/mesh/read-mesh'
 import { fileOfBytes } from '../../web/mesh/source'
 import { verticesOf } from '../../web/mesh/vertices-of'
+import { FORM_WORDS } from '../../web/outputs/meshes/form-words'
 import { MESH_FORMS } from '../../web/outputs/meshes/list'
 import { PIECE } from '../../web/outputs/meshes/mesh-part'
 import type { MeshFormId } from '../../web/survey/survey-jobs'
@@ -98,6 +99,10 @@ function largeMesh(): Mesh {
 }
 
 const large = await opened(largeMesh())
+
+it('the page names the formats in the order of the list', () => {
+  expect(Object.keys(FORM_WORDS)).toEqual(MESH_FORMS.map(({ id }) => id))
+})
 
 describe.each(MESH_FORMS.map(({ id }) => id))('.%s', id => {
   it('gives the same points and cells, bit for bit, and the same verdicts', async () => {

@@ -3,9 +3,10 @@ import type { Worker as Thread } from 'node:worker_threads'
 import type { Reply, WorkerPort } from './workers'
 
 const UNREADABLE = 'its answer could not be read.'
+const NOT_LOADED = 'its script was not loaded, or a policy of the page forbids it.'
 
 /** `blocked` is said when a script was not loaded: browsers give no reason then. */
-export function pagePort(worker: Worker, blocked: string): WorkerPort {
+export function pagePort(worker: Worker, blocked = NOT_LOADED): WorkerPort {
   const port: WorkerPort = {
     postMessage: (request, transfer) => worker.postMessage(request, transfer),
     onreply: null,

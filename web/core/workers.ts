@@ -205,6 +205,11 @@ function failureOf(name: string, problem: string, reason: string | null): Error 
 }
 
 /** An error of ours is a sentence; others say their kind. */
+/** Words that end as a sentence does. */
+export function sentenceOf(reason: unknown): string {
+  return wordsOf(reason).replace(/[.]?$/, '.')
+}
+
 export function wordsOf(reason: unknown): string {
   return reason instanceof Error && reason.name === 'Error' ? reason.message : String(reason)
 }

@@ -1,5 +1,5 @@
 /** Reads what is pasted, dropped or opened: what it finds becomes the element, or a list of which one cell can be chosen. */
-import { runAlone, type WorkerPort, wordsOf } from '../core/workers'
+import { runAlone, sentenceOf, type WorkerPort } from '../core/workers'
 import { CheckedCells } from '../mesh/checked-cells'
 import type { Vertices } from '../model/hexahedron'
 import { reordered } from '../model/node-order'
@@ -111,7 +111,7 @@ export class InputReader implements InputHost {
       const worker = { name: 'the worker that reads', spawn, start: null }
       return await runAlone<ReadingJobs, 'read'>(worker, { kind: 'read', given: input }, options)
     } catch (reason) {
-      return { refused: `Nothing was read: ${wordsOf(reason).replace(/[.]?$/, '.')}`, missing: [] }
+      return { refused: `Nothing was read: ${sentenceOf(reason)}`, missing: [] }
     }
   }
 

@@ -8,6 +8,13 @@ export interface GivenFiles {
   readonly paths?: readonly string[]
 }
 
+/** What it is called on the page. */
+export function inputName(input: PastedInput): string {
+  if ('text' in input) return 'the text'
+  const [first] = input.files
+  return input.files.length === 1 && first ? first.name : `${input.files.length} files`
+}
+
 /** Null where there is nothing to read. */
 function inputOf(transfer: DataTransfer | null): PastedInput | null {
   const files = Array.from(transfer?.files ?? [])

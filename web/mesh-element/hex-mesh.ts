@@ -3,6 +3,7 @@
  * from when the element is first seen until it is removed. `npm run reference` writes docs/mesh-element.md from the comments of the
  * class and of its public members.
  */
+import { sentenceOf } from '../core/workers'
 import { taking } from '../element/attributes'
 import type { TellingElement } from '../element/events'
 import { OwnLanguage } from '../element/own-language'
@@ -311,7 +312,7 @@ export class HexMesh extends Base {
       if (signal.aborted) return
       this.#set({ progress: null })
       if (reason instanceof MeshProblem) this.#raise(reason.code, reason.sentence)
-      else this.#raise('not-read', () => sentence(reason))
+      else this.#raise('not-read', () => sentenceOf(reason))
       resolve(null)
     }
   }
@@ -451,14 +452,14 @@ export class HexMesh extends Base {
 
   /** What a mesh that was closed has not answered is no news. */
   readonly #failed = (reason: unknown): null => {
-    if (this.#survey) this.#raise('not-read', () => sentence(reason))
+    if (this.#survey) this.#raise('not-read', () => sentenceOf(reason))
     return null
   }
 
-  #raise(code: MeshProblemCode, sentenceOf: () => string): void {
+  #raise(code: MeshProblemCode, words: () => string): void {
     let message = ''
     this.#language.during(() => {
-      message = sentenceOf()
+      message = words()
     })
     if (this.#problems.get(code) === message) return
     this.#problems.set(code, message)
@@ -495,10 +496,6 @@ function pickedOf({ row: { cell, id, standing, relativeMinimum }, vertices }: Ce
     valid: standing === 'unanswered' ? null : standing !== 'invalid',
     relativeMinimum: Number.isNaN(relativeMinimum) ? null : relativeMinimum,
   }
-}
-
-function sentence(reason: unknown): string {
-  return (reason instanceof Error ? reason.message : String(reason)).replace(/[.]?$/, '.')
 }
 
 reflectAttributes(HexMesh.prototype, MESH_ATTRIBUTES)

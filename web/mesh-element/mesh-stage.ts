@@ -1,5 +1,6 @@
 /** The place of the picture: what is drawn in each mode, keys and pointers. The picture's context can be given up and made anew. */
-import { NO_CONTENT } from '../mesh-scene/loaded-faces'
+import { CellPointer } from '../mesh-scene/cell-pointer'
+import { MOST_WHOLE, NO_CONTENT, TRANSLUCENT } from '../mesh-scene/loaded-faces'
 import { MeshPicture } from '../mesh-scene/mesh-picture'
 import type { Vertices } from '../model/hexahedron'
 import type { CameraView } from '../model/state'
@@ -16,12 +17,6 @@ export interface StageHost {
   point(cell: number | null): void
 }
 
-/** More would be a second of drawing on a slow machine; what is left out is said. */
-const MOST_WHOLE = 20_000
-const TRANSLUCENT = 0.28
-/** CSS pixels: a pointer that has moved less has clicked. */
-const CLICK = 4
-
 interface Shown {
   readonly surface: FaceList
   readonly invalid: FaceList | null
@@ -30,13 +25,13 @@ interface Shown {
 export class MeshStage {
   readonly root = document.createElement('div')
   readonly #host: StageHost
+  readonly #pointer: CellPointer
   #picture: MeshPicture | null = null
   #bounds: Bounds | null = null
   #view: CameraView | null = null
   #shown: Shown | null = null
   #chosen: CellDetail | null = null
   #wanted = 0
-  #pointed = 0
 
   constructor(host: StageHost) {
     this.#host = host
@@ -44,7 +39,7 @@ export class MeshStage {
     this.root.tabIndex = 0
     this.root.setAttribute('role', 'application')
     this.root.part.add('picture')
-    this.#listen()
+    this.#pointer = this.#listen()
   }
 
   get hasPicture(): boolean {
@@ -70,7 +65,7 @@ export class MeshStage {
 
   dispose(): void {
     this.#wanted++
-    cancelAnimationFrame(this.#pointed)
+    this.#pointer.end()
     this.#picture?.dispose()
     this.#picture = null
   }
@@ -129,47 +124,22 @@ export class MeshStage {
     this.choose(this.#chosen)
   }
 
-  #listen(): void {
-    const { root } = this
-    let down: { readonly x: number; readonly y: number } | null = null
-    root.addEventListener('pointerdown', ({ clientX: x, clientY: y }) => {
-      down = { x, y }
+  #listen(): CellPointer {
+    this.root.addEventListener('keydown', event => this.#onKey(event))
+    const cellAt = (event: PointerEvent) => this.#picture?.cellAt(event) ?? null
+    return new CellPointer(this.root, {
+      click: event => {
+        const cell = cellAt(event)
+        if (cell !== null) this.#host.choose(cell)
+      },
+      point: event => this.#host.point(event && cellAt(event)),
     })
-    root.addEventListener('pointercancel', () => {
-      down = null
-    })
-    root.addEventListener('pointerup', event => {
-      const isClick = down !== null && Math.hypot(event.clientX - down.x, event.clientY - down.y) < CLICK
-      down = null
-      const cell = isClick ? (this.#picture?.cellAt(event) ?? null) : null
-      if (cell !== null) this.#host.choose(cell)
-    })
-    root.addEventListener(
-      'pointermove',
-      event => event.pointerType === 'mouse' && event.buttons === 0 && this.#point(event),
-    )
-    root.addEventListener('pointerleave', () => {
-      cancelAnimationFrame(this.#pointed)
-      this.#host.point(null)
-    })
-    root.addEventListener('keydown', event => this.#onKey(event))
-  }
-
-  #point(event: PointerEvent): void {
-    cancelAnimationFrame(this.#pointed)
-    this.#pointed = requestAnimationFrame(() => this.#host.point(this.#picture?.cellAt(event) ?? null))
   }
 
   #onKey(event: KeyboardEvent): void {
     if (event.altKey || event.ctrlKey || event.metaKey) return
     const actions: Record<string, () => void> = {
-      ArrowLeft: () => this.#picture?.turn(-1, 0),
-      ArrowRight: () => this.#picture?.turn(1, 0),
-      ArrowUp: () => this.#picture?.turn(0, 1),
-      ArrowDown: () => this.#picture?.turn(0, -1),
-      '+': () => this.#picture?.zoom(1.25),
-      '-': () => this.#picture?.zoom(0.8),
-      f: () => this.fit(),
+      ...this.#picture?.keys,
       n: () => this.#host.goToNext(1),
       p: () => this.#host.goToNext(-1),
     }

@@ -3,6 +3,7 @@ import { html, nothing, render, type TemplateResult } from 'lit-html'
 import type { ReadingProgress } from '../input/reading'
 import { CellTable, type TableHost } from '../mesh-views/cell-table'
 import listCss from '../mesh-views/cell-table.css?inline'
+import { headlineTemplate } from '../mesh-views/headline'
 import { formatNumber } from '../model/decimal'
 import { adoptStyles } from '../panels/style-sheets'
 import type { Arrangement, Overview, Row } from '../survey/survey-jobs'
@@ -137,10 +138,8 @@ export class MeshView {
   }
 }
 
-/** "12 of 88,432 hexahedra are invalid." stands out. */
 function overviewTemplate({ name, format, headline, sentences }: Overview): TemplateResult {
-  const [first, ...others] = headline.split(/(?<=\.) /)
-  return html`<p class="headline"><strong>${first}</strong> ${others.join(' ')}</p>
+  return html`<p class="headline">${headlineTemplate(headline)}</p>
     <p class="notes"><b>${name}</b>, ${format}.${sentences.map(sentence => html` ${sentence}`)}</p>`
 }
 

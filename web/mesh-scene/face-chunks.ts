@@ -5,6 +5,7 @@
 import { BufferAttribute, BufferGeometry, GLBufferAttribute } from 'three'
 import { FACE_VERTICES, VERTEX_NUMBERS } from '../survey/face-list'
 import type { FaceList } from '../survey/survey-jobs'
+import { FaceBins } from './face-bins'
 
 /** Indices of a face's triangles. */
 const FACE_INDICES = 12
@@ -12,6 +13,9 @@ const TRIANGLES = [0, 1, 4, 1, 2, 4, 2, 3, 4, 3, 0, 4]
 
 /** Vertices that two bytes count: a megabyte of numbers. */
 export const CHUNK_FACES = Math.floor(2 ** 16 / FACE_VERTICES)
+
+/** Faces that a frame has the time for: some eight megabytes, ten milliseconds for a slow machine. */
+export const FACES_AT_ONCE = 8 * CHUNK_FACES
 
 /** The triangles of so many faces. */
 export function faceIndices(count: number): Uint16Array {
@@ -42,6 +46,7 @@ type Context = WebGL2RenderingContext
 export class FaceChunks {
   readonly faces: FaceList
   readonly #chunks: Chunk[] = []
+  readonly #bins: FaceBins[] = []
   #loaded = 0
 
   constructor(faces: FaceList) {
@@ -54,6 +59,20 @@ export class FaceChunks {
 
   get isLoaded(): boolean {
     return this.#loaded === this.faces.cells.length
+  }
+
+  /** Where the faces are. */
+  get bins(): readonly FaceBins[] {
+    while (this.find());
+    return this.#bins
+  }
+
+  /** Finds where the faces of the next chunk are. False if it is known of all that are loaded. */
+  find(): boolean {
+    const chunk = this.#chunks[this.#bins.length]
+    if (!chunk) return false
+    this.#bins.push(new FaceBins(this.faces, chunk.first, chunk.count))
+    return true
   }
 
   /** Loads the next chunk. */
@@ -76,6 +95,8 @@ export class FaceChunks {
     if (middles) put('middle', middles, 3)
     this.#chunks.push({ geometry, first, count, buffers, hidden: null })
     this.#loaded += count
+    // Of so many faces nobody can wait for it when the picture is pointed at; others come and go, and are seldom pointed at.
+    if (cells.length > FACES_AT_ONCE) this.find()
   }
 
   /** 1 for each vertex of a face that is hidden, or null; all are loaded by now. */
@@ -104,6 +125,7 @@ export class FaceChunks {
       for (const buffer of buffers) gl.deleteBuffer(buffer)
     }
     this.#chunks.length = 0
+    this.#bins.length = 0
   }
 }
 

@@ -1,6 +1,6 @@
 /** What the picture draws, and what it draws next: faces are loaded bit by bit, frame after frame, and then take the place of those before. */
 import type { FaceList } from '../survey/survey-jobs'
-import { CHUNK_FACES, FaceChunks } from './face-chunks'
+import { CHUNK_FACES, FACES_AT_ONCE, FaceChunks } from './face-chunks'
 
 export interface Content {
   /** The boundary of the mesh, as far as `hidden` leaves it; null if `surface` has all that is to be seen. */
@@ -17,6 +17,12 @@ export interface Content {
   readonly hasGhost: boolean
 }
 
+/** The opacity of a surface through which invalid cells are seen. */
+export const TRANSLUCENT = 0.28
+
+/** Cells inside of which all faces are drawn: more would be a second of drawing on a slow machine, and what is left out is said. */
+export const MOST_WHOLE = 20_000
+
 export const NO_CONTENT: Content = {
   boundary: null,
   hidden: null,
@@ -26,9 +32,6 @@ export const NO_CONTENT: Content = {
   size: 1,
   hasGhost: false,
 }
-
-/** Faces at once: some eight megabytes, ten milliseconds for a slow machine. */
-const FACES_AT_ONCE = 8 * CHUNK_FACES
 
 const LISTS = ['boundary', 'surface', 'invalid'] as const
 type ListName = (typeof LISTS)[number]
@@ -86,6 +89,11 @@ export class LoadedFaces {
     this.#next = null
     this.#giveUp(before, [lists], gl)
     return true
+  }
+
+  /** Finds where some of the faces are. False if it is known of all that are drawn. */
+  find(): boolean {
+    return LISTS.some(name => this.#lists[name]?.find())
   }
 
   /** All of it again, for a context that has lost it. */

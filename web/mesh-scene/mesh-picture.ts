@@ -61,6 +61,7 @@ export class MeshPicture {
   #neighbours: readonly Neighbour[] = []
   #painted: { readonly theme: Theme; readonly ramp: Ramp } | null = null
   #frame = 0
+  #finding: ReturnType<typeof setTimeout> | undefined
   #isNew = true
   #first: CameraView | null = null
   readonly #takesWheel: (event: WheelEvent) => boolean
@@ -182,12 +183,15 @@ export class MeshPicture {
     this.draw()
   }
 
-  turn(right: number, up: number): void {
-    this.#camera.turn(right, up)
-  }
-
-  zoom(factor: number): void {
-    this.#camera.zoom(factor)
+  /** What keys do with the camera. */
+  readonly keys: Readonly<Record<string, () => void>> = {
+    ArrowLeft: () => this.#camera.turn(-1, 0),
+    ArrowRight: () => this.#camera.turn(1, 0),
+    ArrowUp: () => this.#camera.turn(0, 1),
+    ArrowDown: () => this.#camera.turn(0, -1),
+    '+': () => this.#camera.zoom(1.25),
+    '-': () => this.#camera.zoom(0.8),
+    f: () => this.fit(),
   }
 
   /** From the target to the eye, of length 1. */
@@ -209,7 +213,7 @@ export class MeshPicture {
     const hitOf = (name: keyof typeof lists) => {
       const list = lists[name]
       const hidden = name === 'boundary' ? content.hidden : null
-      return list && firstHit(list.faces, hidden, { origin: from, direction }, content.size)
+      return list && firstHit(list, hidden, { origin: from, direction }, content.size)
     }
     const invalid = hitOf('invalid')
     if (isThrough && this.#layers.surface.isTranslucent && invalid) return invalid.cell
@@ -245,6 +249,7 @@ export class MeshPicture {
 
   dispose(): void {
     cancelAnimationFrame(this.#frame)
+    clearTimeout(this.#finding)
     this.#observer.disconnect()
     this.#theme.dispose()
     this.#listening.abort()
@@ -341,8 +346,15 @@ export class MeshPicture {
       ghost.lists = content.hasGhost ? some(lists.boundary) : []
       surface.opacity = content.opacity
       if (this.#opacity < 1 !== wasTranslucent) this.#recolour()
+      this.#findLater(REST)
     }
     if (this.#faces.isLoading) this.draw()
+  }
+
+  /** Once faces have come to rest, it is found where they are, before anybody points at them. */
+  #findLater(milliseconds: number): void {
+    clearTimeout(this.#finding)
+    this.#finding = setTimeout(() => this.#faces.find() && this.#findLater(0), milliseconds)
   }
 
   get #opacity(): number {
@@ -426,6 +438,8 @@ export class MeshPicture {
 const PASSES = ['invalid', 'depth', 'surface', 'ghost'] as const
 const GHOST = { opacity: 0.1, lineOpacity: 0, writesDepth: false, showsHidden: true }
 const NO_HIT = { cell: null, distance: Infinity }
+/** Milliseconds without other faces. */
+const REST = 200
 /** CSS pixels about the mesh. */
 const MARGIN = 24
 /** A cell is shown with the space of so many of it along each axis. */

@@ -95,10 +95,6 @@ export class CellTable {
     this.#size.disconnect()
   }
 
-  get active(): number {
-    return this.#active
-  }
-
   focus(): void {
     this.#box?.focus({ preventScroll: true })
   }

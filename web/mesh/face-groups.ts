@@ -1,5 +1,6 @@
 /** Faces in groups by their least points, each joined within a processor's second cache: for meshes in no order. */
 import { FACES, LOOPS } from './face-loops'
+import { leastOf, lesserOf, oppositeOf } from './face-points'
 
 /** A group's lists of 2048 points, with some 12,000 faces. */
 const BITS = 11
@@ -37,7 +38,7 @@ export class FaceGroups {
     const cells = this.#cells
     for (let cell = from; cell < to; ++cell)
       for (let face = 0; face < FACES; ++face) {
-        const group = leastOf(cells, 8 * cell, face) >>> BITS
+        const group = leastPoint(cells, 8 * cell, face) >>> BITS
         ends[group] = (ends[group] as number) + 1
       }
   }
@@ -56,7 +57,7 @@ export class FaceGroups {
     const cells = this.#cells
     for (let cell = from; cell < to; ++cell)
       for (let face = 0; face < FACES; ++face) {
-        const group = leastOf(cells, 8 * cell, face) >>> BITS
+        const group = leastPoint(cells, 8 * cell, face) >>> BITS
         const place = ends[group] as number
         list[place] = FACES * cell + face
         ends[group] = place + 1
@@ -110,27 +111,16 @@ export class FaceGroups {
       const own = list[i] as number
       const cell = (own / FACES) | 0
       const loop = CORNERS * (own - FACES * cell)
-      let least = cells[8 * cell + (LOOPS[loop] as number)] as number
-      let lesser = cells[8 * cell + (LOOPS[loop + 1] as number)] as number
-      let opposite = cells[8 * cell + (LOOPS[loop + 2] as number)] as number
-      let greater = cells[8 * cell + (LOOPS[loop + 3] as number)] as number
-      let change = (opposite - least) & ((opposite - least) >> 31)
-      least += change
-      opposite -= change
-      change = (greater - lesser) & ((greater - lesser) >> 31)
-      lesser += change
-      greater -= change
-      const isOther = (lesser - least) >> 31
-      change = (lesser - least) & isOther
-      least += change
-      lesser -= change
-      change = (greater - opposite) & isOther
-      opposite += change
-      greater -= change
-      const isTurned = lesser === least && greater < opposite
-      records[record] = isTurned ? greater : opposite
+      const a = cells[8 * cell + (LOOPS[loop] as number)] as number
+      const b = cells[8 * cell + (LOOPS[loop + 1] as number)] as number
+      const c = cells[8 * cell + (LOOPS[loop + 2] as number)] as number
+      const d = cells[8 * cell + (LOOPS[loop + 3] as number)] as number
+      const least = leastOf(a, b, c, d)
+      const lesser = lesserOf(a, b, c, d)
+      const opposite = oppositeOf(a, b, c, d)
+      records[record] = opposite
       records[record + 1] = lesser
-      records[record + 2] = isTurned ? opposite : greater
+      records[record + 2] = a ^ b ^ c ^ d ^ least ^ lesser ^ opposite
       records[record + FACE] = own
       records[record + LIST] = least & (POINTS - 1)
     }
@@ -138,12 +128,10 @@ export class FaceGroups {
   }
 }
 
-function leastOf(cells: Int32Array, first: number, face: number): number {
+function leastPoint(cells: Int32Array, first: number, face: number): number {
   const a = cells[first + (LOOPS[CORNERS * face] as number)] as number
   const b = cells[first + (LOOPS[CORNERS * face + 1] as number)] as number
   const c = cells[first + (LOOPS[CORNERS * face + 2] as number)] as number
   const d = cells[first + (LOOPS[CORNERS * face + 3] as number)] as number
-  const e = b + ((a - b) & ((a - b) >> 31))
-  const f = d + ((c - d) & ((c - d) >> 31))
-  return f + ((e - f) & ((e - f) >> 31))
+  return leastOf(a, b, c, d)
 }

@@ -1,9 +1,6 @@
-/**
- * Faces that wait for their other side, in a list for each point that is the least of theirs. Of four points in cyclic order the two
- * diagonals are pairs without an order, and so are the two together: `least` lies on one of them, with `opposite`; on the other lie
- * `lesser` and `greater`. If `lesser` is the least point as well, `opposite` is the lesser of the two that may be.
- */
+/** Faces that wait for their other side, in a list for each point that is the least of theirs; face-points.ts has the order of the other three. */
 import { FACES, LOOPS } from './face-loops'
+import { leastOf, lesserOf, oppositeOf } from './face-points'
 
 // A record: opposite, lesser, greater, the face, the next record of its list. A record is named by the place of its first number.
 const LENGTH = 8
@@ -41,30 +38,14 @@ export class WaitingFaces {
     for (let cell = from; cell < to; ++cell) {
       const first = 8 * cell
       for (let face = 0; face < FACES; ++face) {
-        let least = cells[first + (LOOPS[4 * face] as number)] as number
-        let lesser = cells[first + (LOOPS[4 * face + 1] as number)] as number
-        let opposite = cells[first + (LOOPS[4 * face + 2] as number)] as number
-        let greater = cells[first + (LOOPS[4 * face + 3] as number)] as number
-        // x & (x >> 31) is x if it is negative, else 0: exchanges without branches, which no processor foretells in a mesh out of order.
-        let change = (opposite - least) & ((opposite - least) >> 31)
-        least += change
-        opposite -= change
-        change = (greater - lesser) & ((greater - lesser) >> 31)
-        lesser += change
-        greater -= change
-        const isOther = (lesser - least) >> 31
-        change = (lesser - least) & isOther
-        least += change
-        lesser -= change
-        change = (greater - opposite) & isOther
-        opposite += change
-        greater -= change
-        if (lesser === least && greater < opposite) {
-          change = opposite
-          opposite = greater
-          greater = change
-        }
-
+        const a = cells[first + (LOOPS[4 * face] as number)] as number
+        const b = cells[first + (LOOPS[4 * face + 1] as number)] as number
+        const c = cells[first + (LOOPS[4 * face + 2] as number)] as number
+        const d = cells[first + (LOOPS[4 * face + 3] as number)] as number
+        const least = leastOf(a, b, c, d)
+        const lesser = lesserOf(a, b, c, d)
+        const opposite = oppositeOf(a, b, c, d)
+        const greater = a ^ b ^ c ^ d ^ least ^ lesser ^ opposite
         const own = FACES * cell + face
         const head = heads[least] as number
         let before = NOTHING

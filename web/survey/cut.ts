@@ -1,4 +1,5 @@
 /** What is left to be seen of cells when some are cut away: by a plane, by relative minimum, layer by layer, one by one. */
+import { FACES } from '../mesh/face-loops'
 import type { Neighbours } from '../mesh/neighbours'
 import { faces } from '../model/hexahedron'
 import { boundaryOf, drawable, faceList, hiddenOf } from './face-list'
@@ -6,8 +7,6 @@ import type { Faced } from './faced'
 import { facesOfMask, grow, innerFaces, leaveTheWorst, maskOf } from './faces'
 import { slicedBy } from './slice'
 import type { CutCells, CutFaces } from './survey-jobs'
-
-const FACES = 6
 
 export function cutFaces(faced: Faced, cut: CutCells): CutFaces {
   const layers = cut.layers > 0 ? layersOf(faced) : null

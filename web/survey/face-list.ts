@@ -18,7 +18,7 @@ export const NO_TONE = 2
  * A cell has one colour, and one that is invalid by a hair has to be seen among thousands: what is not valid begins here on the
  * negative side. At -1 and below it ends.
  */
-export const LEAST_NEGATIVE = 0.35
+const LEAST_NEGATIVE = 0.35
 
 /** The least single precision number of full precision: what is positive stays so, also where it is handed to the painter. */
 const LEAST_POSITIVE = 2 ** -126

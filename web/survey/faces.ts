@@ -27,7 +27,6 @@ export function facesOfMask(
 export function maskOf({ check, middles, isListed }: Faced, cells: ShownCells['cells']): Uint8Array {
   const count = check.hexahedra
   const mask = new Uint8Array(count)
-  const relative = check.answers.relativeMinima
   const { standingOf } = check
   switch (cells.which) {
     case 'all':
@@ -44,9 +43,6 @@ export function maskOf({ check, middles, isListed }: Faced, cells: ShownCells['c
     case 'invalid':
       for (let cell = 0; cell < count; ++cell) if (standingOf(cell) === 'invalid') mask[cell] = 1
       for (let ring = 0; ring < cells.rings; ++ring) grow(mask, check)
-      break
-    case 'below':
-      for (let cell = 0; cell < count; ++cell) if ((relative[cell] as number) < cells.relativeMinimum) mask[cell] = 1
       break
     case 'listed':
       for (let cell = 0; cell < count; ++cell) if (isListed(cell)) mask[cell] = 1

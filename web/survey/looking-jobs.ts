@@ -1,6 +1,6 @@
 /** Jobs that only look at the open mesh; the worker in the package's file knows these and no others. */
 import { cellClassifier } from '../input/classify-cells'
-import type { PastedInput } from '../input/pasted-input'
+import { inputName, type PastedInput } from '../input/pasted-input'
 import type { ReadingProgress } from '../input/reading'
 import { coreOf, meshOf, type ReadingEngine, refusalOf, toldSeldom } from '../input/serve-reading'
 import { checkMesh } from '../mesh/check'
@@ -39,7 +39,7 @@ export function jobsOfLooking(engine: ReadingEngine): LookingJobs {
     const classify = cellClassifier(core, engine.batchModule, onProgress)
     const check = await checkMesh(mesh, { classify, core }, OPTIONS)
     const survey = new Survey(check, { core, meeting: null })
-    const overview = survey.overview(nameOf(input))
+    const overview = survey.overview(inputName(input))
     if (check.hexahedra === 0) throw noHexahedra(check, overview.sentences)
     open = new OpenedSurvey(survey, null, classify)
     return { opened: overview }
@@ -75,10 +75,4 @@ export function lookingJobs(opened: () => OpenedSurvey): Served<AskedOfOne> {
 
 export function noHexahedra({ mesh }: MeshCheck, sentences: readonly string[]): MeshRefusal {
   return new MeshRefusal([`Read as ${mesh.format}: no hexahedra of eight nodes.`, ...sentences].join(' '))
-}
-
-export function nameOf(input: PastedInput): string {
-  if ('text' in input) return 'the text'
-  const [first] = input.files
-  return input.files.length === 1 && first ? first.name : `${input.files.length} files`
 }

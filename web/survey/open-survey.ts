@@ -1,5 +1,5 @@
 /** An open mesh as the page has it: questions to its worker, each answered by a promise. */
-import { Pool, type WorkerPort, wordsOf } from '../core/workers'
+import { Pool, sentenceOf, type WorkerPort } from '../core/workers'
 import type { PastedInput } from '../input/pasted-input'
 import type { ReadingProgress } from '../input/reading'
 import type { StepAnswer } from '../mesh/step-answers'
@@ -51,7 +51,7 @@ export class OpenSurvey {
     try {
       return await this.#pool.run('open', input, { onProgress })
     } catch (reason) {
-      return { refused: `Nothing was read: ${wordsOf(reason).replace(/[.]?$/, '.')}`, missing: [] }
+      return { refused: `Nothing was read: ${sentenceOf(reason)}`, missing: [] }
     }
   }
 

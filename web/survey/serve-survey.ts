@@ -1,7 +1,7 @@
 /** The worker in which a mesh is open: it reads, decides, and answers what the page asks. It is ended with the mesh. */
 import type { Core } from '../core/report'
 import { serve, type WorkerPort } from '../core/workers'
-import type { PastedInput } from '../input/pasted-input'
+import { inputName, type PastedInput } from '../input/pasted-input'
 import type { ReadingProgress } from '../input/reading'
 import {
   coreOf,
@@ -19,7 +19,7 @@ import type { TogetherOptions } from '../mesh/read-mesh'
 import type { StepAnswer } from '../mesh/step-answers'
 import { isCollection, type StepFiles, stepFilesOf, stepsWithin } from '../mesh/step-files'
 import { cutFaces } from './cut'
-import { lookingJobs, nameOf, noHexahedra, STEP } from './looking-jobs'
+import { lookingJobs, noHexahedra, STEP } from './looking-jobs'
 import { meeting } from './meeting'
 import { mended } from './mend'
 import { Movement } from './movement'
@@ -163,7 +163,7 @@ export function serveSurvey(engine: SurveyEngine): void {
     if (found) return { opened: await openedStep(found, tell) }
     const mesh = await read(input, tell)
     const within = stepsWithin(mesh, filesOf(input))
-    return { opened: await (within ? openedStep(within, tell) : surveyed(nameOf(input), mesh, tell)) }
+    return { opened: await (within ? openedStep(within, tell) : surveyed(inputName(input), mesh, tell)) }
   }
 
   /** Its cells are decided while it is read. */
@@ -227,7 +227,7 @@ export function serveSurvey(engine: SurveyEngine): void {
 
   async function together(tell: Tell): Promise<Opening> {
     const parts = 'files' in given ? { files: given.files.filter(file => !isCollection(file)) } : given
-    const overview = await surveyed(nameOf(parts), await meshOf(parts, engine, tell), tell)
+    const overview = await surveyed(inputName(parts), await meshOf(parts, engine, tell), tell)
     steps = null
     return { opened: overview }
   }

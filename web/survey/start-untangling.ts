@@ -32,7 +32,7 @@ const WORKER: WorkerOptions = {
   name: 'The worker that untangles',
   spawn: () => {
     const worker = new Worker(new URL('./untangle-worker.ts', import.meta.url), { type: 'module' })
-    return pagePort(worker, 'its script was not loaded, or a policy of the page forbids it.')
+    return pagePort(worker)
   },
   start: null,
 }

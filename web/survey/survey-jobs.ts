@@ -258,7 +258,6 @@ export interface ShownCells {
     | { readonly which: 'behind-plane'; readonly normal: Vec3; readonly offset: number }
     /** The invalid ones, and so many rings of cells around them that share a point. */
     | { readonly which: 'invalid'; readonly rings: number }
-    | { readonly which: 'below'; readonly relativeMinimum: number }
     | { readonly which: 'listed' }
     | { readonly which: 'block'; readonly block: number }
     | { readonly which: 'one'; readonly cell: number }

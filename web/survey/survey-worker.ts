@@ -4,5 +4,5 @@ import type { WorkerPort } from '../core/workers'
 
 export function startSurveyWorker(): WorkerPort {
   const worker = new Worker(new URL('./worker.ts', import.meta.url), { type: 'module' })
-  return pagePort(worker, 'its script was not loaded, or a policy of the page forbids it.')
+  return pagePort(worker)
 }

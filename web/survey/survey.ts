@@ -2,6 +2,7 @@
 import type { CheckId } from '../core/report'
 import { CHECKS, CLASSES } from '../core/unpack'
 import { CheckedCells, columnsOf } from '../mesh/checked-cells'
+import { FACES } from '../mesh/face-loops'
 import { histogramOf } from '../mesh/histogram'
 import type { MeshCheck } from '../mesh/mesh-check'
 import { Joining, type Neighbours } from '../mesh/neighbours'
@@ -30,7 +31,6 @@ import type {
   ShownCells,
 } from './survey-jobs'
 
-const FACES = 6
 const NOT_LISTED = 0xffffffff
 
 export class Survey {

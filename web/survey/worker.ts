@@ -9,8 +9,7 @@ import { Hdf5Loading } from '../mesh/hdf5-reader'
 import { serveSurvey } from './serve-survey'
 
 function helper(): WorkerPort {
-  const worker = new Worker(new URL('./helper.ts', import.meta.url), { type: 'module' })
-  return pagePort(worker, 'its script was not loaded, or a policy of the page forbids it.')
+  return pagePort(new Worker(new URL('./helper.ts', import.meta.url), { type: 'module' }))
 }
 
 let readingCore: ReturnType<typeof readingFiles> | null = null

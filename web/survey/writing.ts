@@ -1,6 +1,6 @@
 /** A checked mesh as a file, written in steps, so that others may ask in between. */
 import type { Core } from '../core/report'
-import { wordsOf } from '../core/workers'
+import { sentenceOf } from '../core/workers'
 import { exitOf } from '../mesh/check'
 import type { MeshCheck } from '../mesh/mesh-check'
 import { Refusal } from '../model/result'
@@ -124,8 +124,7 @@ export class Writing {
     try {
       return this.#step(performance.now() + milliseconds)
     } catch (reason) {
-      const why = wordsOf(reason).replace(/[.]?$/, '.')
-      return { refused: reason instanceof Refusal ? reason.message : `It could not be written: ${why}` }
+      return { refused: reason instanceof Refusal ? reason.message : `It could not be written: ${sentenceOf(reason)}` }
     }
   }
 

@@ -1,16 +1,16 @@
 /**
- * A condition, decided by numbers that are cheap: an element that the filter holds back does not
- * meet it, and need not be analysed. Numbers are enclosed in intervals of doubles, first by the
- * verdict alone, then by the corner values, then by the Bernstein coefficients. The condition's own
- * arithmetic is in doubles as they round: held back wrongly is at most an element for which two
- * sides agree to fifteen digits, and none is let through for good by such arithmetic.
+ * A condition, decided by numbers that are cheap: an element that the filter holds back does not meet it, and need not be analysed.
+ * Numbers are enclosed in intervals of doubles, first by the verdict alone, then by the corner values, then by the Bernstein coefficients,
+ * and every operation of the condition widens its interval by what it may round (docs/algorithm.md, section 11): both answers are certain.
  */
 
 import { BERNSTEIN_COUNT, bernsteinMiddles, vertexBernstein } from '../../model/bernstein'
 import type { Condition } from '../../model/condition'
+import type { Enclosure } from '../../model/condition/enclosure'
 import { NUMBERS, type NumberName, type QuantityName } from '../../model/condition/names'
 import type { ClaimNode, Comparison, NumberNode } from '../../model/condition/parse'
 import { COORDINATE_COUNT, VERTEX_COUNT, type Vertices } from '../../model/hexahedron'
+import { isAtMost, type Rational, scaledDouble } from '../../model/rational'
 import type { Core } from '../report'
 import { CENTRE, EDGES, FINE, setCorners, setFine, setOthers } from './coefficients'
 
@@ -21,7 +21,7 @@ export interface Filter {
   readonly mayBe: { readonly valid: boolean; readonly invalid: boolean; readonly withoutPositiveCorners: boolean }
   /** The truth for the element whose coordinates begin at `at`; `valid` is the certain verdict. */
   judge(elements: Float64Array, at: number, valid: boolean): Truth
-  /** An upper bound of the measure of the element judged last. */
+  /** An upper bound of the measure of the element judged last, as doubles have it that begin with the report's numbers. */
   measureAtMost(): number
 }
 
@@ -36,6 +36,8 @@ class Enclosures {
   readonly lower = new Float64Array(NUMBERS.length)
   readonly upper = new Float64Array(NUMBERS.length)
   valid = false
+  /** By how much a jacdet of the report may be off. */
+  reportError = 0
 
   mayBeZero(name: NumberName): boolean {
     return (this.upper[INDEX[name]] as number) >= 0
@@ -57,14 +59,16 @@ const OF_THE_VERDICT: readonly QuantityName[] = ['valid', 'moved']
 export function filterOf({ claim, names }: Condition, measure: NumberNode, start: Vertices, core: Core): Filter {
   const known = new Enclosures()
   const truth = compiled(claim, known)
-  const measured = compiledNumber(measure, known)
-  // A condition whose own arithmetic rounds must not say yes.
-  const isSharp = comparesWithoutRounding(claim)
+  const measured = compiledNumber(measure, { leaf: name => asReported(known, name), isExact: false })
   const countsMoved = names.includes('moved')
   const asksBoundary = names.includes('boundary_min')
   const needsCoefficients = names.some(name => !OF_THE_VERDICT.includes(name))
   const bernstein = new Float64Array(BERNSTEIN_COUNT)
   const fine = new Float64Array(FINE ** 3)
+  let judged: { readonly elements: Float64Array; readonly at: number } = {
+    elements: new Float64Array(COORDINATE_COUNT),
+    at: 0,
+  }
   const mayBe = (set: () => void) => {
     set()
     return truth() !== FALSE
@@ -80,6 +84,7 @@ export function filterOf({ claim, names }: Condition, measure: NumberNode, start
     },
     judge(elements, at, valid) {
       byVerdict(known, valid)
+      judged = { elements, at }
       if (countsMoved) byMoved(known, elements, at, start)
       if (needsCoefficients) {
         const error = coefficientError(elements, at)
@@ -93,30 +98,14 @@ export function filterOf({ claim, names }: Condition, measure: NumberNode, start
         if (!valid && asksBoundary && known.mayBeZero('boundary_min') && truth() === OPEN)
           bySign(known, elements.subarray(at, at + COORDINATE_COUNT), core)
       }
-      const answer = truth()
-      return answer === TRUE && !isSharp ? OPEN : answer
+      return truth()
     },
     measureAtMost() {
+      known.reportError = REPORT_ERROR * cubeOf(judged.elements, judged.at)
       const most = measured.upper()
-      return Number.isNaN(most) ? Infinity : most + MEASURE_SLACK * Math.abs(most)
+      return Number.isNaN(most) ? Infinity : most
     },
   }
-}
-
-/** More than what the roundings of a measure come to. */
-const MEASURE_SLACK = 1e-9
-
-/** Numbers by their names, and integers, compared as they are. */
-function comparesWithoutRounding(node: ClaimNode): boolean {
-  if (node.kind === 'claim') return true
-  if (node.kind === 'not') return comparesWithoutRounding(node.of)
-  if (node.kind === 'chain') return node.terms.every(isExact)
-  return node.operands.every(comparesWithoutRounding)
-}
-
-function isExact(node: NumberNode): boolean {
-  if (node.kind === 'constant') return node.value.lower.denominator === 1n && node.value.lower.numerator < 2n ** 53n
-  return node.kind === 'number' || (node.kind === 'minus' && isExact(node.of))
 }
 
 /** More than zero: jacdets of elements that are searched are nowhere near the least doubles. */
@@ -156,25 +145,70 @@ function byMoved(known: Enclosures, elements: Float64Array, at: number, start: V
 }
 
 /**
- * Every coefficient that coefficients.ts computes of the element is off by at most this.
+ * Every coefficient that coefficients.ts computes of the element is off by at most this, in g^3, with g the greatest coordinate's size.
  *
- * With coordinates of magnitude R at most, edge vectors have components of 2R at most, and the permanent of three is at most 48 R^3.
- * A determinant of computed ones is off by less than 12 u times that (docs/algorithm.md (E2)), u = 2^-53; of the other coefficients
- * the cube's centre sums most of them, five times as much with its own roundings: 12 * 5 * 48 R^3 u < 2^-41 R^3. Of quarters
- * up to 1024, 13 bits an edge component, nothing rounds at all: 3 * 13 bits and those of sums and halves are fewer than 53.
+ * Components of edge vectors are 2g at most, and permanents P of three 48 g^3. By (8R) of docs/algorithm.md a coefficient is off by 77uP at
+ * most, that of the cube's centre, u = 2^-53: 77 * 48 u < 2^-41. Of quarters up to 1024, 13 bits an edge component, nothing rounds at all:
+ * 3 * 13 bits and those of sums and halves are fewer than 53.
  */
 const COEFFICIENT_ERROR = 2 ** -41
 const MOST_EXACT = 1024
 
 export function coefficientError(elements: Float64Array, at: number): number {
-  let greatest = 0
-  let isCoarse = true
+  return isCoarse(elements, at) ? 0 : COEFFICIENT_ERROR * cubeOf(elements, at)
+}
+
+function isCoarse(elements: Float64Array, at: number): boolean {
   for (let i = at; i < at + COORDINATE_COUNT; ++i) {
     const size = Math.abs(elements[i] as number)
-    if (size > greatest) greatest = size
-    if (isCoarse) isCoarse = Number.isInteger(4 * size)
+    if (size > MOST_EXACT || !Number.isInteger(4 * size)) return false
   }
-  return isCoarse && greatest <= MOST_EXACT ? 0 : COEFFICIENT_ERROR * greatest * greatest * greatest
+  return true
+}
+
+/** g^3. */
+function cubeOf(elements: Float64Array, at: number): number {
+  let greatest = 0
+  for (let i = at; i < at + COORDINATE_COUNT; ++i) greatest = Math.max(greatest, Math.abs(elements[i] as number))
+  return greatest * greatest * greatest
+}
+
+/**
+ * What the report's jacdets are off by, in g^3. With P the greatest permanent, 48 g^3 at most, and M the greatest coefficient, 5 P at most:
+ * a coefficient by 100uP (8R), what few means make of them by 40uM more (V2), the boundary's minimum and maximum by 36uP + 4000uM (M1),
+ * what was decided exactly by a rounding. (36 + 5 * 4000) * 48 u < 2^-33.
+ */
+const REPORT_ERROR = 2 ** -33
+
+/**
+ * A computed scaled Jacobian: where jacdet over the lengths rounds to more than 1, it is a determinant of the columns over them, off by
+ * 8u of the permanent, 1.16 products of lengths at most, and by less than 20u for lengths and quotient.
+ */
+const MOST_SCALED = 1 + 2 ** -48
+
+/**
+ * What doubles may have for a number in the report. Of a valid element the volume's minimum is the boundary's there, else a value of the
+ * search inside, not above it; subdivision may end elsewhere, and corners of slivers may have any scaled Jacobian.
+ */
+function asReported(known: Enclosures, name: NumberName): Interval {
+  const lower = (of: NumberName) => known.lower[INDEX[of]] as number
+  const upper = (of: NumberName) => known.upper[INDEX[of]] as number
+  switch (name) {
+    case 'moved':
+      return { lower: () => lower(name), upper: () => upper(name) }
+    case 'scaled_jacobian':
+      return { lower: () => -MOST_SCALED, upper: () => MOST_SCALED }
+    case 'subdivision':
+    case 'twist':
+      return { lower: () => -Infinity, upper: () => Infinity }
+    case 'volume_min':
+      return {
+        lower: () => lower('bernstein_min') - known.reportError,
+        upper: () => upper('boundary_min') + known.reportError,
+      }
+    default:
+      return { lower: () => lower(name) - known.reportError, upper: () => upper(name) + known.reportError }
+  }
 }
 
 /** The least corner value is at most `most`. */
@@ -200,25 +234,43 @@ function byCoefficients(known: Enclosures, bernstein: Float64Array, error: numbe
     greatestCorner = Math.max(greatestCorner, bernstein[corner] as number)
   }
   const edge = Math.min(leastCorner, leastOnEdges(bernstein))
-  const [centre, mean] = [valueAtCentre(bernstein), meanOf(bernstein)]
+  const [centre, sum] = [valueAtCentre(bernstein), sumOf(bernstein)]
+  const mean = sum / BERNSTEIN_COUNT
+  // Values between coefficients that are off by `error` are off by no more. Coefficients that are exact have exact sums.
+  const size = Math.max(Math.abs(least), Math.abs(greatest), Math.abs(bernstein[CENTRE] as number))
+  const offOnEdge = error + (edge < leastCorner ? EDGE_ROUNDINGS * size : 0)
+  const offInSum = error + (error === 0 ? 0 : SUM_ROUNDINGS * size)
+  const isExactMean = error === 0 && (COARSE_PARTS * sum) % BERNSTEIN_COUNT === 0
+  const offInMean = offInSum + (isExactMean ? 0 : QUOTIENT_ROUNDING * Math.abs(mean))
   known.narrow('corner_min', leastCorner - error, leastCorner + error)
-  known.narrow('edge_min', edge - 8 * error, edge + 8 * error)
-  known.narrow('boundary_min', leastOutside - error, edge + 8 * error)
+  known.narrow('edge_min', edge - offOnEdge, edge + offOnEdge)
+  known.narrow('boundary_min', leastOutside - error, edge + offOnEdge)
   known.narrow('boundary_max', greatestCorner - error, greatest + error)
   known.narrow('bernstein_min', least - error, least + error)
-  known.narrow('volume_min', least - error, Math.min(edge + 8 * error, centre + 2 * error))
-  known.narrow('centre', centre - 2 * error, centre + 2 * error)
-  known.narrow('volume', mean - 2 * error, mean + 2 * error)
+  known.narrow('volume_min', least - error, Math.min(edge + offOnEdge, centre + offInSum))
+  known.narrow('centre', centre - offInSum, centre + offInSum)
+  known.narrow('volume', mean - offInMean, mean + offInMean)
   // Rules of positive weights that integrate jacdet exactly: their least value is at most the mean.
-  for (const name of ['gauss2_min', 'gauss3_min'] as const) known.narrow(name, least - error, mean + 2 * error)
-  if (leastCorner + error <= 0 || centre + 2 * error <= 0) known.narrow('scaled_jacobian', -1, 0)
+  for (const name of ['gauss2_min', 'gauss3_min'] as const) known.narrow(name, least - error, mean + offInMean)
+  if (leastCorner + error <= 0 || centre + offInSum <= 0) known.narrow('scaled_jacobian', -1, 0)
   // Subdivision accepts at once what the bound proves.
   if (least - error > 0) known.narrow('subdivision', POSITIVE, Infinity)
 }
 
 /**
+ * In the greatest coefficient M, u = 2^-53. On an edge q0 - d^2/(d + e), with d and e of 2M at most, is off by 6u of the quotient, which is
+ * at most d, and by the last difference's rounding: 13u. A sum of 27 whose partial sums are weighted means of M takes 26 roundings. The
+ * mean's quotient is one of its own.
+ */
+const EDGE_ROUNDINGS = 2 ** -49
+const SUM_ROUNDINGS = 2 ** -48
+const QUOTIENT_ROUNDING = 2 ** -52
+/** Coefficients that are exact are integers in units of this part: products of three quarters, halved, and quarters of such sums. */
+const COARSE_PARTS = 2 ** 9
+
+/**
  * The same bounds once the element is cut into eight, where they are four times as sharp. Means are no further off than what they are
- * made of, and their own roundings, three a coefficient, are far below the error that is doubled here.
+ * made of, and their own roundings, six a coefficient, 1440u g^3 at most, are below the error that is doubled here.
  */
 function byFineCoefficients(known: Enclosures, fine: Float64Array, error: number): void {
   let [least, leastOutside, greatestOutside] = [Infinity, Infinity, -Infinity]
@@ -283,10 +335,10 @@ function valueAtCentre(bernstein: Float64Array): number {
 /** Weights 1/4, 1/2, 1/4 on each axis. */
 const AT_CENTRE = Float64Array.from(bernsteinMiddles, middles => 2 ** middles / 64)
 
-function meanOf(bernstein: Float64Array): number {
+function sumOf(bernstein: Float64Array): number {
   let sum = 0
   for (let i = 0; i < BERNSTEIN_COUNT; ++i) sum += bernstein[i] as number
-  return sum / BERNSTEIN_COUNT
+  return sum
 }
 
 function compiled(node: ClaimNode, known: Enclosures): () => Truth {
@@ -296,7 +348,11 @@ function compiled(node: ClaimNode, known: Enclosures): () => Truth {
     return () => opposite(of())
   }
   if (node.kind === 'chain') {
-    const terms = node.terms.map(term => compiledNumber(term, known))
+    const exactly = (name: NumberName) => {
+      const i = INDEX[name]
+      return { lower: () => known.lower[i] as number, upper: () => known.upper[i] as number }
+    }
+    const terms = node.terms.map(term => compiledNumber(term, { leaf: exactly, isExact: true }))
     return allOf(
       node.comparisons.map((sign, i) => compiledComparison(terms[i] as Interval, sign, terms[i + 1] as Interval)),
     )
@@ -350,51 +406,134 @@ function compiledComparison(a: Interval, sign: Comparison, b: Interval): () => T
   }
 }
 
-function compiledNumber(node: NumberNode, known: Enclosures): Interval {
-  if (node.kind === 'constant') {
-    const { lower, upper } = node.value
-    return {
-      lower: constant(Number(lower.numerator) / Number(lower.denominator)),
-      upper: constant(Number(upper.numerator) / Number(upper.denominator)),
-    }
-  }
-  if (node.kind === 'number') {
-    const i = INDEX[node.name]
-    return { lower: () => known.lower[i] as number, upper: () => known.upper[i] as number }
-  }
-  if (node.kind === 'minus') {
-    const of = compiledNumber(node.of, known)
-    return { lower: () => -of.upper(), upper: () => -of.lower() }
-  }
-  const [left, right] = [compiledNumber(node.left, known), compiledNumber(node.right, known)]
+interface Arithmetic {
+  /** Where numbers come from. */
+  leaf(name: NumberName): Interval
+  /** Whether intervals hold what exact arithmetic makes of the numbers in them; else what doubles do. */
+  readonly isExact: boolean
+}
+
+function compiledNumber(node: NumberNode, arithmetic: Arithmetic): Interval {
+  const { leaf, isExact } = arithmetic
+  if (node.kind === 'constant') return constant(node.value, isExact)
+  if (node.kind === 'number') return leaf(node.name)
+  if (node.kind === 'minus') return negated(compiledNumber(node.of, arithmetic))
+  const [left, right] = [compiledNumber(node.left, arithmetic), compiledNumber(node.right, arithmetic)]
   switch (node.kind) {
     case '+':
-      return { lower: () => left.lower() + right.lower(), upper: () => left.upper() + right.upper() }
+      return sumOfIntervals(left, right, isExact)
     case '-':
-      return { lower: () => left.lower() - right.upper(), upper: () => left.upper() - right.lower() }
+      return sumOfIntervals(left, negated(right), isExact)
     case '*':
-      return product(left, right)
+      return fromEnds(left, right, PRODUCT, isExact)
     case '/':
-      return product(left, reciprocal(right))
+      return quotient(left, right, isExact)
   }
 }
 
-function constant(value: number): () => number {
-  return () => value
+function negated(of: Interval): Interval {
+  return { lower: () => -of.upper(), upper: () => -of.lower() }
 }
 
-function product(a: Interval, b: Interval): Interval {
-  const extreme = (pick: (...values: number[]) => number) => () => {
-    const [a0, a1, b0, b1] = [a.lower(), a.upper(), b.lower(), b.upper()]
-    return pick(a0 * b0, a0 * b1, a1 * b0, a1 * b1)
-  }
-  return { lower: extreme(Math.min), upper: extreme(Math.max) }
+function constant({ lower, upper }: Enclosure, isExact: boolean): Interval {
+  const [from, to] = [lower, upper].map(end => {
+    const value = Number(end.numerator) / Number(end.denominator)
+    const isItself = Number.isFinite(value) && isSame(scaledDouble(value, 0), end)
+    return { value, room: isExact && !isItself ? roomAround(value) : 0 }
+  }) as [End, End]
+  return { lower: () => from.value - from.room, upper: () => to.value + to.room }
 }
 
-function reciprocal(of: Interval): Interval {
-  const mayBeZero = () => of.lower() <= 0 && of.upper() >= 0
+function isSame(a: Rational, b: Rational): boolean {
+  return isAtMost(a, b) && isAtMost(b, a)
+}
+
+interface End {
+  readonly value: number
+  readonly room: number
+}
+
+/** An operation that is monotone in either number, and so is its rounding. */
+interface Operation {
+  of(x: number, y: number): number
+  /** What is sure to be exact: false also where that cannot be said. */
+  isExact(x: number, y: number, result: number): boolean
+}
+
+/** The error of a sum of doubles is a double (Knuth). */
+const SUM: Operation = {
+  of: (x, y) => x + y,
+  isExact: (x, y, sum) => {
+    const other = sum - x
+    return x - (sum - other) + (y - other) === 0
+  },
+}
+const PRODUCT: Operation = { of: (x, y) => x * y, isExact: isProduct }
+const QUOTIENT: Operation = { of: (x, y) => x / y, isExact: (x, y, quotient) => isProduct(quotient, y, x) }
+
+/** In halves of 26 bits nothing rounds (Dekker), if the products of halves are normal. */
+function isProduct(x: number, y: number, product: number): boolean {
+  if (product === 0) return x === 0 || y === 0
+  if (!(Math.abs(product) > LEAST_SPLIT && Math.abs(x) < GREATEST_SPLIT && Math.abs(y) < GREATEST_SPLIT)) return false
+  const [a, b] = [upperHalf(x), upperHalf(y)]
+  const [c, d] = [x - a, y - b]
+  return a * b - product + a * d + c * b + c * d === 0
+}
+
+const LEAST_SPLIT = 2 ** -900
+const GREATEST_SPLIT = 2 ** 900
+
+function upperHalf(x: number): number {
+  const shifted = (2 ** 27 + 1) * x
+  return shifted - (shifted - x)
+}
+
+/** A result, made less or greater by what it may have rounded if intervals are widened. */
+function rounded({ of, isExact }: Operation, isWidened: boolean) {
+  const room = (x: number, y: number, value: number) => (isWidened && !isExact(x, y, value) ? roomAround(value) : 0)
   return {
-    lower: () => (mayBeZero() ? -Infinity : 1 / of.upper()),
-    upper: () => (mayBeZero() ? Infinity : 1 / of.lower()),
+    down(x: number, y: number): number {
+      const value = of(x, y)
+      return value - room(x, y, value)
+    },
+    up(x: number, y: number): number {
+      const value = of(x, y)
+      return value + room(x, y, value)
+    },
   }
+}
+
+function sumOfIntervals(a: Interval, b: Interval, isWidened: boolean): Interval {
+  const { down, up } = rounded(SUM, isWidened)
+  return { lower: () => down(a.lower(), b.lower()), upper: () => up(a.upper(), b.upper()) }
+}
+
+/** A product or a quotient: the least and the greatest of the ends'. */
+function fromEnds(a: Interval, b: Interval, operation: Operation, isWidened: boolean): Interval {
+  const { down, up } = rounded(operation, isWidened)
+  return {
+    lower() {
+      const [a0, a1, b0, b1] = [a.lower(), a.upper(), b.lower(), b.upper()]
+      return Math.min(down(a0, b0), down(a0, b1), down(a1, b0), down(a1, b1))
+    },
+    upper() {
+      const [a0, a1, b0, b1] = [a.lower(), a.upper(), b.lower(), b.upper()]
+      return Math.max(up(a0, b0), up(a0, b1), up(a1, b0), up(a1, b1))
+    },
+  }
+}
+
+/**
+ * An operation is off by u of its result, u = 2^-53, a constant, of three roundings, by 3.01 u, and what is added or taken away here by
+ * another u: 8u, and the least double where something underflows.
+ */
+function roomAround(value: number): number {
+  return 2 ** -50 * Math.abs(value) + Number.MIN_VALUE
+}
+
+/** All numbers if the divisor may be zero. */
+function quotient(a: Interval, b: Interval, isWidened: boolean): Interval {
+  const mayBeZero = () => b.lower() <= 0 && b.upper() >= 0
+  const { lower, upper } = fromEnds(a, b, QUOTIENT, isWidened)
+  return { lower: () => (mayBeZero() ? -Infinity : lower()), upper: () => (mayBeZero() ? Infinity : upper()) }
 }

@@ -1,6 +1,6 @@
 /** Abaqus: nodes and elements C3D8 as text that gives the same doubles, and sets of the invalid and of the unanswered elements. */
 import type { Standing } from '../../mesh/mesh-check'
-import type { MeshForm } from './mesh-form'
+import type { MeshWriter } from './mesh-form'
 import { cellIn, type MeshPart } from './mesh-part'
 import { numbering } from './numbering'
 
@@ -17,12 +17,7 @@ const SETS: readonly (readonly [name: string, standing: Standing])[] = [
   ['HEXLENS_UNANSWERED', 'unanswered'],
 ]
 
-export const abaqus: MeshForm = {
-  id: 'inp',
-  name: 'Abaqus',
-  what: 'elements C3D8, with an ELSET of those that are invalid',
-  whatOfPart: 'these cells as elements C3D8',
-  mediaType: 'text/plain',
+export const abaqus: MeshWriter = {
   chunks,
   count: ({ points, cells }) => Math.ceil((points + cells) / LINES) + 4,
 }

@@ -1,5 +1,5 @@
 /** Gmsh's format of version 4.1, in bytes; what is said of cells as ElementData. */
-import type { MeshForm } from './mesh-form'
+import type { MeshWriter } from './mesh-form'
 import { cellArrays, type MeshPart, PIECE, WHOLE_ARRAYS } from './mesh-part'
 import { numbering } from './numbering'
 import { records } from './records'
@@ -10,12 +10,7 @@ const ENTITY = { dimension: 3, tag: 1 }
 /** Tags of elements are 32 bits in ElementData. */
 const MOST_TAG = 2 ** 31 - 1
 
-export const gmsh: MeshForm = {
-  id: 'msh',
-  name: 'Gmsh',
-  what: 'the same in the format 4.1, each array as a view',
-  whatOfPart: 'the same in the format 4.1, each array as a view',
-  mediaType: 'model/mesh',
+export const gmsh: MeshWriter = {
   chunks,
   count: ({ points, cells }) =>
     2 * (WHOLE_ARRAYS + 4) + Math.ceil((4 * points + (9 + 1.5 * WHOLE_ARRAYS) * cells) / PIECE),

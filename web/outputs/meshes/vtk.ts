@@ -1,16 +1,11 @@
 /** VTK's legacy format of version 5.1, with offsets and connectivity, in bytes, the most significant first. */
-import type { MeshForm } from './mesh-form'
+import type { MeshWriter } from './mesh-form'
 import { cellArrays, type MeshPart, PIECE, WHOLE_ARRAYS } from './mesh-part'
 import { type PutNumber, records } from './records'
 
 const VTK_HEXAHEDRON = 12
 
-export const vtk: MeshForm = {
-  id: 'vtk',
-  name: 'VTK',
-  what: 'the same in the legacy format of version 5.1',
-  whatOfPart: 'the same in the legacy format of version 5.1',
-  mediaType: 'application/octet-stream',
+export const vtk: MeshWriter = {
   chunks,
   count: ({ points, cells }) =>
     2 * (WHOLE_ARRAYS + 4) + Math.ceil((3 * points + (8 + 2 + WHOLE_ARRAYS) * cells) / PIECE),

@@ -1,5 +1,5 @@
 /** VTU of VTK's XML, uncompressed, with appended raw data. */
-import type { MeshForm } from './mesh-form'
+import type { MeshWriter } from './mesh-form'
 import { cellArrays, type MeshPart, PIECE, WHOLE_ARRAYS } from './mesh-part'
 
 const VTK_HEXAHEDRON = 12
@@ -21,12 +21,7 @@ const SIZES = { Float64: 8, Int32: 4, Int64: 8, UInt8: 1 }
 /** Arrays that every file has: those of cells, the points, and three for the shape of the cells. */
 const ARRAYS = WHOLE_ARRAYS + 4
 
-export const vtu: MeshForm = {
-  id: 'vtu',
-  name: 'VTU',
-  what: 'the mesh with valid, boundary_min, relative_min and volume, for ParaView',
-  whatOfPart: 'these cells alone, with their indices and ids',
-  mediaType: 'model/vnd.vtu',
+export const vtu: MeshWriter = {
   chunks,
   count: ({ points, cells }) => ARRAYS + Math.ceil((3 * points + (8 + ARRAYS - 2) * cells) / PIECE),
 }

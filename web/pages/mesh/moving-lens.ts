@@ -11,6 +11,7 @@ import { written } from '../../model/document-readers'
 import { type Vec3, type Vertices, vertexOf } from '../../model/hexahedron'
 import type { Around, MovementCounts, Moves, Row } from '../../survey/survey-jobs'
 import { LiveCells } from './live-cells'
+import { isTyping } from './typing'
 
 export interface MovingHost {
   /** Rows of the list as they are while a vertex moves. */
@@ -59,8 +60,7 @@ export class MovingLens {
     lens.addEventListener('hex-change', () => this.#onChange())
     lens.addEventListener('keydown', event => this.#onKey(event), { capture: true })
     document.addEventListener('keydown', event => {
-      const isTyping = event.target instanceof HTMLElement && event.target.matches('input, textarea, select, hex-lens')
-      if (!isTyping && !event.defaultPrevented) this.#onKey(event)
+      if (!isTyping(event) && !event.defaultPrevented) this.#onKey(event)
     })
     // Without it the worker answers alone, when a move is done.
     fetchCore(coreFiles).then(
@@ -73,7 +73,7 @@ export class MovingLens {
   }
 
   /** True while a hand has a vertex: the lens and what is around it are ahead of the mesh then. */
-  get isHeld(): boolean {
+  get #isHeld(): boolean {
     return this.#lens.isConnected && !same(this.#now, this.#committed)
   }
 
@@ -84,7 +84,7 @@ export class MovingLens {
 
   /** A cell of the mesh; `steps` is true for a mesh of several time steps, which is only looked at. */
   show(cell: number, vertices: Vertices, around: Around | null, { hasSteps }: { readonly hasSteps: boolean }): void {
-    if (this.#chosen?.cell === cell && this.isHeld) return
+    if (this.#chosen?.cell === cell && this.#isHeld) return
     if (this.#chosen?.cell !== cell) this.#said = ''
     const whyNot = hasSteps ? ONLY_SHOWN : around === null ? UNKNOWN : ''
     this.#chosen = { cell, around, whyNot }
@@ -100,7 +100,7 @@ export class MovingLens {
     this.#render()
   }
 
-  say(sentence: string): void {
+  #say(sentence: string): void {
     this.#said = sentence
     this.#render()
   }
@@ -167,7 +167,7 @@ export class MovingLens {
   /** True, and says why, for a vertex that may not move. */
   #stays(vertex: number): boolean {
     const why = this.whyFixed(vertex)
-    if (why !== null) this.say(why)
+    if (why !== null) this.#say(why)
     return why !== null
   }
 
@@ -178,7 +178,7 @@ export class MovingLens {
 
   #onKey(event: KeyboardEvent): void {
     const step = historyStep(event)
-    if (step === null || !this.#movement[step === 'undo' ? 'canUndo' : 'canRedo'] || this.isHeld) return
+    if (step === null || !this.#movement[step === 'undo' ? 'canUndo' : 'canRedo'] || this.#isHeld) return
     event.preventDefault()
     this.#host.step(step)
   }
@@ -200,7 +200,7 @@ export class MovingLens {
     const point = around?.points[selectedVertex]
     if (point === undefined) return
     if (around?.moved.includes(selectedVertex)) this.#host.restore([point])
-    else this.say(`Vertex ${selectedVertex} is where it was read.`)
+    else this.#say(`Vertex ${selectedVertex} is where it was read.`)
   }
 
   #render(): void {

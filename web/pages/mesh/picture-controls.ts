@@ -1,7 +1,9 @@
 /** The picture and what chooses the cells in it: a set of cells, the slice, the threshold, and what is peeled and dug away. */
 import { nothing, render } from 'lit-html'
 import { wordsOf } from '../../core/workers'
+import { CellPointer } from '../../mesh-scene/cell-pointer'
 import { drawGhostLines } from '../../mesh-scene/ghost-lines'
+import { TRANSLUCENT } from '../../mesh-scene/loaded-faces'
 import { MeshPicture, type PictureSpace } from '../../mesh-scene/mesh-picture'
 import { drawMarks, MARKS_HEIGHT } from '../../mesh-scene/picture-marks'
 import { type Plane, PlaneHandle } from '../../mesh-scene/plane-handle'
@@ -21,6 +23,7 @@ import {
   sliceAt,
   unitOf,
 } from './picture-settings'
+import { isTyping } from './typing'
 
 export interface PictureHost {
   /** The boundary of the mesh. */
@@ -38,9 +41,6 @@ export interface PictureHost {
 }
 
 const SHRUNK = 0.8
-const TRANSLUCENT = 0.28
-/** CSS pixels: a pointer that has moved less has clicked. */
-const CLICK = 4
 /** A key's part of the way through the mesh, and its turn of the slice. */
 const SLIDE_STEP = 0.02
 const TURN_STEP = Math.PI / 36
@@ -71,6 +71,7 @@ export class PictureControls implements BarHost {
   #mesh = 0
   #wanted = 0
   #asking: Promise<void> | null = null
+  /** Counts what was pointed at. */
   #pointed = 0
 
   constructor(root: HTMLElement, host: PictureHost) {
@@ -101,8 +102,8 @@ export class PictureControls implements BarHost {
     return this.#picture.view
   }
 
-  /** Another mesh, or none. */
-  open(overview: Overview | null, settings = FIRST_SETTINGS, camera: CameraView | null = null): void {
+  /** Another mesh. */
+  open(overview: Overview, settings = FIRST_SETTINGS, camera: CameraView | null = null): void {
     this.#overview = overview
     this.#settings = settings
     const [, upper] = settings.relative ?? firstThreshold(overview)
@@ -118,7 +119,7 @@ export class PictureControls implements BarHost {
     this.#boundary = null
     this.#mesh++
     this.#wanted++
-    this.#picture.open(overview?.bounds ?? null, camera)
+    this.#picture.open(overview.bounds, camera)
     this.#picture.colouring = settings.colours
     this.#put()
   }
@@ -325,51 +326,29 @@ export class PictureControls implements BarHost {
   }
 
   #listen(canvas: HTMLElement): void {
-    let down: { readonly x: number; readonly y: number } | null = null
-    canvas.addEventListener('pointerdown', ({ clientX: x, clientY: y, button }) => {
-      down = button === 0 ? { x, y } : null
-    })
-    canvas.addEventListener('pointercancel', () => {
-      down = null
-    })
-    canvas.addEventListener('pointerup', event => {
-      const isClick = down !== null && Math.hypot(event.clientX - down.x, event.clientY - down.y) < CLICK
-      down = null
-      const cell = isClick ? this.#cellAt(event) : null
-      if (cell === null) return
-      if (this.#isDigging) this.#dig(cell)
-      else this.#host.choose(cell)
-    })
-    canvas.addEventListener(
-      'pointermove',
-      event => event.pointerType === 'mouse' && event.buttons === 0 && this.#point(event),
-    )
-    canvas.addEventListener('pointerleave', () => this.#leave())
+    new CellPointer(canvas, { click: event => this.#click(event), point: event => void this.#point(event) })
     canvas.addEventListener('keydown', event => this.#onKey(event))
     document.addEventListener('keydown', event => {
-      const isTyping = event.target instanceof HTMLElement && event.target.matches('input, textarea, select, hex-lens')
       const isUndo = (event.ctrlKey || event.metaKey) && !event.shiftKey && !event.altKey && event.key === 'z'
-      if (isTyping || !isUndo || this.#settings.away.length === 0) return
+      if (isTyping(event) || !isUndo || this.#settings.away.length === 0) return
       event.preventDefault()
       this.undoDig()
     })
   }
 
-  #point(event: PointerEvent): void {
-    cancelAnimationFrame(this.#pointed)
-    this.#pointed = requestAnimationFrame(async () => {
-      const pointed = this.#pointed
-      const cell = this.#cellAt(event)
-      const row = cell === null ? null : await this.#host.name(cell).catch(() => null)
-      if (pointed !== this.#pointed) return
-      this.#tip.textContent = row ? `Cell ${row.id}${row.block === null ? '' : `, ${row.block}`}: ${row.standing}` : ''
-    })
+  #click(event: PointerEvent): void {
+    const cell = this.#cellAt(event)
+    if (cell === null) return
+    if (this.#isDigging) this.#dig(cell)
+    else this.#host.choose(cell)
   }
 
-  #leave(): void {
-    cancelAnimationFrame(this.#pointed)
-    this.#pointed = 0
-    this.#tip.textContent = ''
+  async #point(event: PointerEvent | null): Promise<void> {
+    const pointed = ++this.#pointed
+    const cell = event && this.#cellAt(event)
+    const row = cell === null ? null : await this.#host.name(cell).catch(() => null)
+    if (pointed !== this.#pointed) return
+    this.#tip.textContent = row ? `Cell ${row.id}${row.block === null ? '' : `, ${row.block}`}: ${row.standing}` : ''
   }
 
   #onKey(event: KeyboardEvent): void {
@@ -385,13 +364,7 @@ export class PictureControls implements BarHost {
     const slide = (by: number) => () =>
       slice && this.set({ slice: { ...slice, place: Math.max(0, Math.min(1, slice.place + by)) } })
     return {
-      ArrowLeft: () => this.#picture.turn(-1, 0),
-      ArrowRight: () => this.#picture.turn(1, 0),
-      ArrowUp: () => this.#picture.turn(0, 1),
-      ArrowDown: () => this.#picture.turn(0, -1),
-      '+': () => this.#picture.zoom(1.25),
-      '-': () => this.#picture.zoom(0.8),
-      f: () => this.#picture.fit(),
+      ...this.#picture.keys,
       ...(slice ? { PageUp: slide(SLIDE_STEP), PageDown: slide(-SLIDE_STEP) } : {}),
       ...(this.#isDigging ? { Delete: this.digChosen } : {}),
     }
@@ -441,8 +414,8 @@ const KEYS = [
 ].join('; ')
 
 /** At which the ten worst cells are seen, at least. */
-function firstThreshold(overview: Overview | null): readonly [number, number] {
-  const tenth = overview?.worst.slice(0, 10).at(-1)?.relativeMinimum ?? Number.NaN
+function firstThreshold({ worst }: Overview): readonly [number, number] {
+  const tenth = worst.slice(0, 10).at(-1)?.relativeMinimum ?? Number.NaN
   return [-Infinity, tenth > LEAST_THRESHOLD ? Math.min(1, Math.ceil(10 * tenth) / 10) : LEAST_THRESHOLD]
 }
 

@@ -1,4 +1,5 @@
 /** What the picture shows of a mesh. */
+import { MOST_WHOLE } from '../../mesh-scene/loaded-faces'
 import type { Vec3 } from '../../model/hexahedron'
 import type { CutCells, Overview } from '../../survey/survey-jobs'
 
@@ -61,9 +62,6 @@ export function sliceAt({ normal, offset }: Plane, middle: Vec3, bounds: Overvie
 function reachOf(unit: Vec3, bounds: Overview['bounds']): number {
   return bounds ? sum(axis => (Math.abs(unit[axis]) * (bounds.greatest[axis] - bounds.least[axis])) / 2) : 0
 }
-
-/** More would be a second of drawing on a slow machine; what is left out is said. */
-const MOST_WHOLE = 20_000
 
 /** Without a chosen cell there is nothing around it: then all cells are shown. */
 export function cutOf(settings: PictureSettings, plane: Plane | null, chosen: number | null): CutCells {

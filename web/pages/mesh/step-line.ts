@@ -75,6 +75,6 @@ export function stepWords(list: StepList, answers: Answers, step: number): strin
   return `${name}: ${counts}${answer.least === null ? '' : `, least relative minimum ${leastWords(answer.least)}`}`
 }
 
-export function leastWords(least: number): string {
+function leastWords(least: number): string {
   return least === -Infinity ? 'none, volume 0' : formatNumber(least)
 }

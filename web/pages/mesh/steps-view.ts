@@ -41,15 +41,15 @@ export class StepsView {
     this.#host = host
   }
 
-  /** Another mesh, or none. */
-  async open(survey: OpenSurvey | null): Promise<void> {
+  /** Another mesh, with steps or without. */
+  async open(survey: OpenSurvey): Promise<void> {
     this.#survey = survey
     this.#list = null
     this.#reading = null
     this.#showing = null
     this.#refused = ''
     this.#render()
-    const list = (await survey?.steps()) ?? null
+    const list = await survey.steps()
     if (list === null || survey !== this.#survey) return
     this.#list = list
     this.#answers = list.steps.map((_, step) => (step === list.shown ? list.answer : null))

@@ -1,9 +1,10 @@
 /** What can be taken away of the open mesh: a menu of files, which the mesh's worker writes. */
 import { html, nothing, render, type TemplateResult } from 'lit-html'
-import { MESH_FORMS } from '../../outputs/meshes/list'
+import { FORM_WORDS } from '../../outputs/meshes/form-words'
 import type { OpenSurvey } from '../../survey/open-survey'
 import type { FormId, MovementCounts, Overview } from '../../survey/survey-jobs'
 import { saveFile } from '../../views/save-file'
+import { ButtonSection } from './button-section'
 import { fileStem, sizeWords } from './file-names'
 
 export interface TakeAwayHost {
@@ -40,8 +41,8 @@ const WHOLE: readonly FileWords[] = [
     ending: '.json',
     mediaType: 'application/json',
   },
-  ...MESH_FORMS.map(
-    ({ id, name, what, mediaType }): FileWords => ({
+  ...Object.entries(FORM_WORDS).map(
+    ([id, { name, what, mediaType }]): FileWords => ({
       form: `mesh.${id}`,
       name,
       what,
@@ -53,8 +54,8 @@ const WHOLE: readonly FileWords[] = [
 ]
 
 const INVALID: readonly FileWords[] = [
-  ...MESH_FORMS.map(
-    ({ id, name, whatOfPart, mediaType }): FileWords => ({
+  ...Object.entries(FORM_WORDS).map(
+    ([id, { name, whatOfPart, mediaType }]): FileWords => ({
       form: `invalid.${id}`,
       name,
       what: whatOfPart,
@@ -91,42 +92,28 @@ interface Shown {
 }
 
 export class TakeAway {
-  /** Shows and hides the menu. */
-  readonly button = document.createElement('button')
-  readonly #root = document.createElement('section')
+  readonly #menu = new ButtonSection('take-away', 'Take away')
   readonly #host: TakeAwayHost
   #shown: Shown = { overview: null, movement: null, writing: null, message: '' }
   #writer: OpenSurvey | null = null
 
   constructor(host: TakeAwayHost) {
     this.#host = host
-    this.button.type = 'button'
-    this.button.textContent = 'Take away'
-    this.button.setAttribute('aria-controls', 'take-away')
-    this.button.addEventListener('click', () => this.#open(Boolean(this.#root.hidden)))
-    this.#root.className = 'take-away'
-    this.#root.id = 'take-away'
-    this.#root.setAttribute('aria-label', 'Take away')
-    this.#root.addEventListener('keydown', event => {
-      if (event.key !== 'Escape') return
-      this.#open(false)
-      this.button.focus()
-    })
+  }
+
+  /** Shows and hides the menu. */
+  get button(): HTMLElement {
+    return this.#menu.button
   }
 
   /** The menu for this mesh, closed for another one; it stays as it is if only vertices have moved. */
   show(overview: Overview | null, movement: MovementCounts): HTMLElement {
-    if (this.button.hidden === (overview === null) && overview === this.#shown.overview) return this.#root
+    if (this.button.hidden === (overview === null) && overview === this.#shown.overview) return this.#menu.root
     this.button.hidden = overview === null
     const hasMoved = movement !== this.#shown.movement && (movement.canUndo || movement.canRedo)
-    if (!hasMoved) this.#open(false)
+    if (!hasMoved) this.#menu.open(false)
     this.#set({ overview, movement, writing: null, message: '' })
-    return this.#root
-  }
-
-  #open(isOpen: boolean): void {
-    this.#root.hidden = !isOpen
-    this.button.setAttribute('aria-expanded', String(isOpen))
+    return this.#menu.root
   }
 
   /** The file that was read, of another name so that it stays. */
@@ -172,7 +159,7 @@ export class TakeAway {
 
   #set(shown: Shown): void {
     this.#shown = shown
-    render(this.#template(shown), this.#root)
+    render(this.#template(shown), this.#menu.root)
   }
 
   #template({ overview, movement, writing, message }: Shown): TemplateResult | typeof nothing {
