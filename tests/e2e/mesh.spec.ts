@@ -256,7 +256,7 @@ test('the picture: slice, threshold, peel, dig, apart, around a cell, and settin
     const id = /\d+/.exec((await tip.textContent()) ?? '')?.[0]
     await page.mouse.click(x, y)
     await expect(which(page)).toHaveText(new RegExp(`^Cell ${id}\\.`))
-    await bar.getByRole('button', { name: 'Chosen cell' }).click()
+    await bar.getByRole('button', { name: 'Fly to cell' }).click()
     await canvas.press('f')
     await toggle('Apart').click()
   })

@@ -380,7 +380,7 @@ describe('options', () => {
     const headings = [...html.matchAll(/<h[12] class="headline">(.*?)<\/h/g)].map(([, text]) => text)
     expect(headings).toEqual([
       '3 meshes',
-      '4 of 5 hexahedra are invalid. The eight corners would accept 0 of them, VTK’s scaled Jacobian 2.',
+      '4 of 5 hexahedra are invalid. The eight corners would accept none of them, VTK’s scaled Jacobian 2.',
       'All 2 hexahedra are valid.',
       'The file was not read.',
     ])

@@ -152,7 +152,7 @@ export class HistogramView {
   }
 }
 
-/** What is below -1 has a bar as wide as the others. */
+/** What is up to -1 has a bar as wide as the others. */
 function leftOf(edges: readonly number[]): number {
   return Math.max(edges[0] as number, -1 - 1 / 40)
 }

@@ -35,6 +35,7 @@ import { InputDoor } from './input-door'
 import { MovingLens, NOTHING_MOVED } from './moving-lens'
 import { notesTemplate } from './notes'
 import {
+  acceptedSentence,
   cancelledWords,
   NOT_IN_STEPS,
   NOTHING_OPEN,
@@ -54,6 +55,7 @@ const part = (selector: string) => document.querySelector(selector) as HTMLEleme
 const overviewRoot = part('.overview')
 const cellsRoot = part('.cells')
 const oneRoot = part('.one')
+const acceptedRoot = part('.one .accepted')
 const lens = document.querySelector('hex-lens') as HTMLElementTagNameMap['hex-lens']
 
 /** Conditions that are asked for most. */
@@ -178,7 +180,11 @@ const takeAway = new TakeAway({
   },
 })
 const moving = new MovingLens(lens, oneRoot.querySelector('.moving') as HTMLElement, {
-  rows: rows => table.patch(rows),
+  rows: rows => {
+    table.patch(rows)
+    const row = rows.find(({ cell }) => cell === chosen?.cell)
+    if (row) acceptedRoot.textContent = acceptedSentence(row)
+  },
   move: moves => void takeMoved(own => own.move(moves)),
   step: which => void takeMoved(own => own[which]()),
   restore: points => void takeMoved(own => own.restore(points)),
@@ -417,6 +423,7 @@ function chooseNone(): void {
   moving.showNone()
   place.show(null)
   table.choose(null, null)
+  acceptedRoot.textContent = ''
   render(html`The chosen cell is not in this step.`, oneRoot.querySelector('.which') as HTMLElement)
   lens.hidden = true
   picture.choose(null, null, [])
@@ -438,8 +445,10 @@ async function arrange(order: Arrangement): Promise<void> {
   const onStep = (fraction: number) => own === survey && set({ ...shown, arranging: { order, fraction } })
   const isArranged = await asked(open => open.arrange(order, onStep))
   if (!isArranged) return
+  const isOther = order.column !== shown.order.column || order.isDescending !== shown.order.isDescending
   set({ ...shown, order, arranging: null })
   showTable()
+  if (isOther) table.toStart()
 }
 
 function cancelArranging(): void {
@@ -457,6 +466,7 @@ async function select(condition: string, range: Range): Promise<void> {
   const { overview } = shown
   if (!overview) return
   const complaint = complaintAbout(condition)
+  const isOther = condition !== shown.condition || range !== shown.range
   set({ ...shown, condition, range, complaint })
   if (complaint !== null) return
   const selection = { condition: condition.trim() === '' ? null : condition, range }
@@ -467,7 +477,9 @@ async function select(condition: string, range: Range): Promise<void> {
       showTable()
     }),
   )
-  if (selected) await picture.refresh()
+  if (!selected) return
+  if (isOther) table.toStart()
+  await picture.refresh()
 }
 
 function complaintAbout(condition: string): string | null {
@@ -491,6 +503,7 @@ async function choose(cell: number, rank: number | null): Promise<void> {
     }`,
     oneRoot.querySelector('.which') as HTMLElement,
   )
+  acceptedRoot.textContent = acceptedSentence(row)
   lens.hidden = vertices === null
   if (vertices) moving.show(cell, vertices, around, { hasSteps: steps.hasSteps })
   else moving.showNone()

@@ -120,10 +120,11 @@ export class MovingLens {
   }
 
   #surround(): void {
-    const { cell, around } = this.#chosen ?? {}
+    const { cell, around, whyNot } = this.#chosen ?? {}
+    const ofBoundary = this.#isBoundaryFree ? [] : (around?.onBoundary ?? [])
     this.#lens.surround({
       hexahedra: cell === undefined ? [] : (this.#live?.drawnAround(cell) ?? []),
-      fixed: this.#isBoundaryFree ? [] : (around?.onBoundary ?? []),
+      fixed: whyNot === ONLY_SHOWN ? VERTICES : ofBoundary,
     })
   }
 
@@ -204,7 +205,9 @@ export class MovingLens {
   }
 
   #render(): void {
-    render(this.#chosen ? this.#template() : nothing, this.#root)
+    const isOnlyShown = this.#chosen?.whyNot === ONLY_SHOWN
+    const template = isOnlyShown ? html`<p class="moved">${ONLY_SHOWN}</p>` : this.#chosen ? this.#template() : nothing
+    render(template, this.#root)
   }
 
   #template(): TemplateResult {

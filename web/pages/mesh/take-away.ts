@@ -5,6 +5,7 @@ import type { OpenSurvey } from '../../survey/open-survey'
 import type { FormId, MovementCounts, Overview } from '../../survey/survey-jobs'
 import { saveFile } from '../../views/save-file'
 import { fileStem, sizeWords } from './file-names'
+import { Foldout } from './foldout'
 
 export interface TakeAwayHost {
   /** Null where no mesh is open. */
@@ -91,42 +92,28 @@ interface Shown {
 }
 
 export class TakeAway {
-  /** Shows and hides the menu. */
-  readonly button = document.createElement('button')
-  readonly #root = document.createElement('section')
+  readonly #foldout = new Foldout('take-away', 'Take away')
   readonly #host: TakeAwayHost
   #shown: Shown = { overview: null, movement: null, writing: null, message: '' }
   #writer: OpenSurvey | null = null
 
   constructor(host: TakeAwayHost) {
     this.#host = host
-    this.button.type = 'button'
-    this.button.textContent = 'Take away'
-    this.button.setAttribute('aria-controls', 'take-away')
-    this.button.addEventListener('click', () => this.#open(Boolean(this.#root.hidden)))
-    this.#root.className = 'take-away'
-    this.#root.id = 'take-away'
-    this.#root.setAttribute('aria-label', 'Take away')
-    this.#root.addEventListener('keydown', event => {
-      if (event.key !== 'Escape') return
-      this.#open(false)
-      this.button.focus()
-    })
+  }
+
+  /** Shows and hides the menu. */
+  get button(): HTMLElement {
+    return this.#foldout.button
   }
 
   /** The menu for this mesh, closed for another one; it stays as it is if only vertices have moved. */
   show(overview: Overview | null, movement: MovementCounts): HTMLElement {
-    if (this.button.hidden === (overview === null) && overview === this.#shown.overview) return this.#root
+    if (this.button.hidden === (overview === null) && overview === this.#shown.overview) return this.#foldout.root
     this.button.hidden = overview === null
     const hasMoved = movement !== this.#shown.movement && (movement.canUndo || movement.canRedo)
-    if (!hasMoved) this.#open(false)
+    if (!hasMoved) this.#foldout.isOpen = false
     this.#set({ overview, movement, writing: null, message: '' })
-    return this.#root
-  }
-
-  #open(isOpen: boolean): void {
-    this.#root.hidden = !isOpen
-    this.button.setAttribute('aria-expanded', String(isOpen))
+    return this.#foldout.root
   }
 
   /** The file that was read, of another name so that it stays. */
@@ -172,7 +159,7 @@ export class TakeAway {
 
   #set(shown: Shown): void {
     this.#shown = shown
-    render(this.#template(shown), this.#root)
+    render(this.#template(shown), this.#foldout.root)
   }
 
   #template({ overview, movement, writing, message }: Shown): TemplateResult | typeof nothing {

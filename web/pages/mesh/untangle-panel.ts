@@ -9,6 +9,7 @@ import type { Moves, Overview } from '../../survey/survey-jobs'
 import { type BoundaryMoves, type GhostLines, type PartUntangled, withMoves } from '../../survey/untangled-part'
 import { saveFile } from '../../views/save-file'
 import { fileStem } from './file-names'
+import { Foldout } from './foldout'
 import {
   allProofsWords,
   certificatesSentence,
@@ -82,9 +83,7 @@ const FIRST: Shown = {
 }
 
 export class UntanglePanel {
-  /** Shows and hides the panel. */
-  readonly button = document.createElement('button')
-  readonly root = document.createElement('section')
+  readonly #foldout = new Foldout('untangle', 'Untangle')
   readonly #host: UntangleHost
   #shown = FIRST
   #running: AbortController | null = null
@@ -93,27 +92,23 @@ export class UntanglePanel {
 
   constructor(host: UntangleHost) {
     this.#host = host
-    this.button.type = 'button'
-    this.button.textContent = 'Untangle'
-    this.button.setAttribute('aria-controls', 'untangle')
-    this.button.addEventListener('click', () => this.#open(Boolean(this.root.hidden)))
-    this.root.className = 'untangle'
-    this.root.id = 'untangle'
-    this.root.setAttribute('aria-label', 'Untangle')
-    this.root.addEventListener('keydown', event => {
-      if (event.key !== 'Escape') return
-      this.#open(false)
-      this.button.focus()
-    })
-    this.#open(false)
     this.button.hidden = true
+  }
+
+  /** Shows and hides the panel. */
+  get button(): HTMLElement {
+    return this.#foldout.button
+  }
+
+  get root(): HTMLElement {
+    return this.#foldout.root
   }
 
   /** Another mesh, or none. */
   open(overview: Overview | null, whyNot: string): void {
     this.#stop()
     this.button.hidden = overview === null
-    this.#open(false)
+    this.#foldout.isOpen = false
     this.#set({ ...FIRST, overview, whyNot })
   }
 
@@ -125,11 +120,6 @@ export class UntanglePanel {
     const { message, left } = this.#isTaking ? this.#shown : { message: isOutdated ? CHANGED : '', left: null }
     this.#isTaking = false
     this.#set({ ...this.#shown, ...NOTHING_WRITTEN, overview, result: null, soFar: null, message, left })
-  }
-
-  #open(isOpen: boolean): void {
-    this.root.hidden = !isOpen
-    this.button.setAttribute('aria-expanded', String(isOpen))
   }
 
   #stop(): void {
