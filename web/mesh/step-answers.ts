@@ -57,11 +57,13 @@ function leastOf({ answers: { relativeMinima, classes } }: MeshCheck, cell: numb
   return CLASSES[classes[cell] as number] === 'collapsed' ? 0 : -Infinity
 }
 
-/** A time as it is said: the seven digits of single precision, which many files hold, of a longer number; another text as it is. */
+const SHORT = 8
+
+/** A time as it is said: of a long number the seven digits of single precision, which many files hold; another text as it is. */
 export function timeWords(time: string): string {
   const value = Number(time)
   const short = String(Number(value.toPrecision(7)))
-  return Number.isFinite(value) && short.length < time.length ? short : time
+  return Number.isFinite(value) && time.length > SHORT ? short : time
 }
 
 /** "Step 5 (t = 0.4)", or with the name of its file where it has no time, or neither. */

@@ -71,7 +71,7 @@ export function stepWords(list: StepList, answers: Answers, step: number): strin
   if (!answer) return name
   if (!answer.counts) return `${name}: not read`
   const { hexahedra, invalid } = answer.counts
-  const counts = `${invalid.toLocaleString('en')} of ${hexahedra.toLocaleString('en')} ${hexahedra === 1 ? 'cell' : 'cells'} ${invalid === 1 ? 'is' : 'are'} invalid`
+  const counts = `${invalid.toLocaleString('en')} of ${hexahedra.toLocaleString('en')} ${hexahedra === 1 ? 'cell' : 'cells'} ${invalid === 1 || hexahedra === 1 ? 'is' : 'are'} invalid`
   return `${name}: ${counts}${answer.least === null ? '' : `, least relative minimum ${leastWords(answer.least)}`}`
 }
 
