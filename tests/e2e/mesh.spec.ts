@@ -489,6 +489,7 @@ test.describe('without WebGL', () => {
     })
     await openMesh(page)
     await expect(page.locator('.is-not-drawn')).toBeVisible()
+    await expect(page.locator('.picture .bar')).toBeHidden()
     // Below the window the lens has no views yet.
     await expectAxeFindsNothing(page)
     await rows(page).nth(1).click()
