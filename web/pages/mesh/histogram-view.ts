@@ -87,7 +87,7 @@ export class HistogramView {
         ><span title="The heights are logarithms of the counts.">Relative minimum: least jacdet / volume</span
         ><span>${formatNumber(greatest)}</span>
       </figcaption>
-      <p class="percentiles">${text}</p>`
+      <p class="percentiles" title="Below which so many per cent of the cells are">${text}</p>`
   }
 
   #handle(end: End, name: string, value: number, edges: readonly number[]): TemplateResult {
