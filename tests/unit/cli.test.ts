@@ -234,7 +234,9 @@ describe('bad input gets one line that says which entry and why, and status 2', 
     expect(await analyze('', ['analyse', 'x'])).toMatchObject({
       status: 2,
       output: '',
-      errors: expect.stringMatching(/^hexlens: There is no command “analyse”\. .*hexlens.* --help says what there is\.\n$/),
+      errors: expect.stringMatching(
+        /^hexlens: There is no command “analyse”\. .*hexlens.* --help says what there is\.\n$/,
+      ),
     })
     for (const args of [['--help'], ['-h'], ['analyze', '--help'], ['certify', '-h']])
       expect(await analyze('', args)).toMatchObject({

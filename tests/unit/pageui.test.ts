@@ -1,7 +1,13 @@
 /** What the page Mesh says about files, folders, refusals and what to do next. */
 import { expect, test } from 'vitest'
 import { WaitingFiles } from '../../web/input/waiting-files'
-import { acceptedSentence, cancelledWords, namesakeSentence, nextSentence, refusalWords } from '../../web/pages/mesh/page-words'
+import {
+  acceptedSentence,
+  cancelledWords,
+  namesakeSentence,
+  nextSentence,
+  refusalWords,
+} from '../../web/pages/mesh/page-words'
 import type { Overview, Row } from '../../web/survey/survey-jobs'
 
 const file = (name: string) => ({ name }) as File

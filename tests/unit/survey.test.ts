@@ -74,10 +74,7 @@ describe('the sentence on top', () => {
     [[unitCube], 'The hexahedron is valid.'],
     [[mirroredCube], 'The hexahedron is invalid. The eight corners and VTK’s scaled Jacobian reject it, too.'],
     [[wedge], 'The hexahedron is invalid. The eight corners reject it, VTK’s scaled Jacobian would accept it.'],
-    [
-      [accepted, unitCube],
-      '1 of 2 hexahedra is invalid. The eight corners and VTK’s scaled Jacobian would accept it.',
-    ],
+    [[accepted, unitCube], '1 of 2 hexahedra is invalid. The eight corners and VTK’s scaled Jacobian would accept it.'],
     [[unitCube, notFinite], 'None of 2 hexahedra is known to be invalid. 1 is unanswered.'],
     [
       [mirroredCube, flat, notFinite, notFinite],

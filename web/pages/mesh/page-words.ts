@@ -10,7 +10,7 @@ const NAMED = 8
 export const NOT_IN_STEPS =
   'A mesh of several time steps is only shown: open the file of one step alone to untangle it.'
 export const NOTHING_OPEN = 'Nothing is open. Drop a mesh anywhere here, open its files or paste its text.'
-export const MEANS = 'Invalid: jacdet, the Jacobian determinant, is 0 or negative somewhere in the cell.'
+export const MEANS = 'Invalid: the Jacobian determinant, jacdet, is ≤ 0 somewhere in the cell.'
 export const STAYS = 'It is read in this browser and sent nowhere.'
 export const ALL_FORMATS = `Formats: ${formatNames.join(', ')}.`
 export const FORMATS = `Formats: ${formatNames.slice(0, NAMED).join(', ')} and ${formatNames.length - NAMED} others.`

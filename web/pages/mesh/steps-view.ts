@@ -223,7 +223,8 @@ export class StepsView {
         .map(({ x, y }) => `M${at(x, y)}h0`)
         .join('')
     const times = [0, list.steps.length - 1].map(step => list.steps[step]?.time ?? this.#answers[step]?.time)
-    const end = (index: 0 | 1) => (isByTime ? `t = ${timeWords(times[index] ?? '')}` : `step ${index === 0 ? 1 : list.steps.length}`)
+    const end = (index: 0 | 1) =>
+      isByTime ? `t = ${timeWords(times[index] ?? '')}` : `step ${index === 0 ? 1 : list.steps.length}`
     const range = least === greatest ? formatNumber(least) : `from ${formatNumber(least)} to ${formatNumber(greatest)}`
     return html`<figure class="line">
       <div class="plot">
