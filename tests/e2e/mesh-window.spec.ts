@@ -1,7 +1,7 @@
 /** The page Mesh in one window: what is seen without scrolling, what stands in the lens, and what the controls on top leave open. */
 import { fileURLToPath } from 'node:url'
 import type { Page } from '@playwright/test'
-import { expect, type Lens, test } from './lens'
+import { expect, expectAxeFindsNothing, type Lens, test } from './lens'
 
 const shared = (name: string) => fileURLToPath(new URL(`../../../shared/meshes/${name}`, import.meta.url))
 const rows = (page: Page) => page.locator('.list .row:not(.head)')
@@ -97,5 +97,6 @@ test('picture, list, lens and verdict are in the first window; menus, lists and 
       await expect(rows(page).nth(row)).toHaveAttribute('aria-selected', 'true')
       await expect.poll(() => verticesOutside(lens)).toEqual([])
     }
+    await expectAxeFindsNothing(page)
   })
 })

@@ -85,7 +85,7 @@ function setTemplate({ blocks, counts }: Overview, { set, rings }: PictureSettin
     html`<option value=${value} ?selected=${value === set}>${name}</option>`
   return html`<label
       ><span class="said">Cells in the picture</span
-      ><select .value=${set} @change=${(event: Event) => host.set(settingsOf((event.target as HTMLSelectElement).value as CellSet, rings))}>
+      ><select .value=${set} @change=${(event: Event) => takeSet((event.target as HTMLSelectElement).value as CellSet, rings, host)}>
         ${option('all', 'All cells')}
         ${counts.invalid > 0 || set === 'invalid' ? option('invalid', 'Invalid cells') : nothing}
         ${option('around', 'Around the chosen cell')} ${option('listed', 'Listed cells')}
@@ -103,9 +103,10 @@ function setTemplate({ blocks, counts }: Overview, { set, rings }: PictureSettin
     }`
 }
 
-/** One cell alone, of thousands, is a dot. */
-function settingsOf(set: CellSet, rings: number): Partial<PictureSettings> {
-  return set === 'around' && rings === 0 ? { set, rings: 1 } : { set }
+/** One cell alone, of thousands and from afar, is a dot. */
+function takeSet(set: CellSet, rings: number, host: BarHost): void {
+  host.set(set === 'around' && rings === 0 ? { set, rings: 1 } : { set })
+  if (set === 'around') host.flyToChosen()
 }
 
 const AXES = [
