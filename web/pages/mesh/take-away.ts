@@ -4,8 +4,8 @@ import { MESH_FORMS } from '../../outputs/meshes/list'
 import type { OpenSurvey } from '../../survey/open-survey'
 import type { FormId, MovementCounts, Overview } from '../../survey/survey-jobs'
 import { saveFile } from '../../views/save-file'
+import { ButtonSection } from './button-section'
 import { fileStem, sizeWords } from './file-names'
-import { Foldout } from './foldout'
 
 export interface TakeAwayHost {
   /** Null where no mesh is open. */
@@ -92,7 +92,7 @@ interface Shown {
 }
 
 export class TakeAway {
-  readonly #foldout = new Foldout('take-away', 'Take away')
+  readonly #menu = new ButtonSection('take-away', 'Take away')
   readonly #host: TakeAwayHost
   #shown: Shown = { overview: null, movement: null, writing: null, message: '' }
   #writer: OpenSurvey | null = null
@@ -103,17 +103,17 @@ export class TakeAway {
 
   /** Shows and hides the menu. */
   get button(): HTMLElement {
-    return this.#foldout.button
+    return this.#menu.button
   }
 
   /** The menu for this mesh, closed for another one; it stays as it is if only vertices have moved. */
   show(overview: Overview | null, movement: MovementCounts): HTMLElement {
-    if (this.button.hidden === (overview === null) && overview === this.#shown.overview) return this.#foldout.root
+    if (this.button.hidden === (overview === null) && overview === this.#shown.overview) return this.#menu.root
     this.button.hidden = overview === null
     const hasMoved = movement !== this.#shown.movement && (movement.canUndo || movement.canRedo)
-    if (!hasMoved) this.#foldout.isOpen = false
+    if (!hasMoved) this.#menu.open(false)
     this.#set({ overview, movement, writing: null, message: '' })
-    return this.#foldout.root
+    return this.#menu.root
   }
 
   /** The file that was read, of another name so that it stays. */
@@ -159,7 +159,7 @@ export class TakeAway {
 
   #set(shown: Shown): void {
     this.#shown = shown
-    render(this.#template(shown), this.#foldout.root)
+    render(this.#template(shown), this.#menu.root)
   }
 
   #template({ overview, movement, writing, message }: Shown): TemplateResult | typeof nothing {

@@ -8,8 +8,8 @@ import { startCertifying, startUntangling } from '../../survey/start-untangling'
 import type { Moves, Overview } from '../../survey/survey-jobs'
 import { type BoundaryMoves, type GhostLines, type PartUntangled, withMoves } from '../../survey/untangled-part'
 import { saveFile } from '../../views/save-file'
+import { ButtonSection } from './button-section'
 import { fileStem } from './file-names'
-import { Foldout } from './foldout'
 import {
   allProofsWords,
   certificatesSentence,
@@ -83,7 +83,7 @@ const FIRST: Shown = {
 }
 
 export class UntanglePanel {
-  readonly #foldout = new Foldout('untangle', 'Untangle')
+  readonly #section = new ButtonSection('untangle', 'Untangle')
   readonly #host: UntangleHost
   #shown = FIRST
   #running: AbortController | null = null
@@ -92,23 +92,22 @@ export class UntanglePanel {
 
   constructor(host: UntangleHost) {
     this.#host = host
-    this.button.hidden = true
   }
 
   /** Shows and hides the panel. */
   get button(): HTMLElement {
-    return this.#foldout.button
+    return this.#section.button
   }
 
   get root(): HTMLElement {
-    return this.#foldout.root
+    return this.#section.root
   }
 
   /** Another mesh, or none. */
   open(overview: Overview | null, whyNot: string): void {
     this.#stop()
     this.button.hidden = overview === null
-    this.#foldout.isOpen = false
+    this.#section.open(false)
     this.#set({ ...FIRST, overview, whyNot })
   }
 
