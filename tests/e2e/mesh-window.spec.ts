@@ -50,9 +50,11 @@ test('picture, list, lens and verdict are in the first window; menus, lists and 
 
   await test.step('the chosen cell says who accepts it', async () => {
     await page.getByLabel('Usual conditions').selectOption({ label: 'Invalid, yet the corners accept' })
+    await expect(rows(page).first()).toContainText('Eight corners')
     await rows(page).first().click()
     await expect(page.locator('.one .accepted')).toHaveText(/^Accepted by eight corners, /)
     await page.getByLabel('Usual conditions').selectOption({ label: 'All cells' })
+    await expect(rows(page).first()).toContainText('2951')
   })
 
   await test.step('another list is seen from its first row', async () => {
