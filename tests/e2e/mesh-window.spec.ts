@@ -50,6 +50,7 @@ test('picture, list, lens and verdict are in the first window; menus, lists and 
 
   await test.step('the chosen cell says who accepts it', async () => {
     await page.getByLabel('Usual conditions').selectOption({ label: 'Invalid, yet the corners accept' })
+    await expect(page.locator('.go .count')).toHaveText(/^\s*4 of 7,168 cells\s*$/)
     await expect(rows(page).first()).toContainText('Eight corners')
     await rows(page).first().click()
     await expect(page.locator('.one .accepted')).toHaveText(/^Accepted by eight corners, /)
