@@ -38,7 +38,8 @@ export class HistogramView {
     this.#histogram = histogram
     this.#range = range
     this.#render()
-    return histogram && histogram.counts.length > 0 ? this.root : nothing
+    if (histogram === null) render(nothing, this.root)
+    return histogram?.counts.length === 0 ? nothing : this.root
   }
 
   #render(): void {
