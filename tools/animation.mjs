@@ -12,7 +12,7 @@ import { setup } from './setup.mjs'
 const FOLDER = 'dist/animation'
 const SIZE = { width: 720, height: 460 }
 /** The page Mesh has its three columns. */
-const MESH_SIZE = { width: 1240, height: 620 }
+const MESH_SIZE = { width: 1360, height: 820 }
 const STEPS = 22
 const FRAME_MS = 70
 /** Milliseconds for which the ends of the drag are seen. */

@@ -31,7 +31,7 @@ const ELEMENTS = [
     page: 'docs/mesh-element.md',
     more: [
       '## Its box',
-      'The element is a block as wide as its place. Without a `height` the picture is 18rem high and the list 13rem; with one they share what the sentence leaves, three parts to two, and scroll what has no room. So that nothing moves when the mesh arrives, the page gives it a height.',
+      'The element is a block as wide as its place. Without a `height` the picture is 14rem high and the list 10rem; with one they share what the sentence leaves, three parts to two, and scroll what has no room. So that nothing moves when the mesh arrives, the page gives it a height.',
     ],
   },
 ]

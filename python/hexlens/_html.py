@@ -141,9 +141,22 @@ def headline_of(check: MeshCheck) -> str:
     corners, vtk = (int(np.count_nonzero((accepted >> CHECKS.index(name)) & 1)) for name in ("corners", "corners-and-centre"))
     if corners + vtk == 0:
         others = f"The eight corners and VTK’s scaled Jacobian reject {them}, too."
+    elif invalid == 1:
+        others = _one_accepted(corners == 1, vtk == 1)
     else:
-        others = f"The eight corners would accept {_grouped(corners)} of them, VTK’s scaled Jacobian {_grouped(vtk)}."
+        others = f"The eight corners would accept {_some(corners)} of them, VTK’s scaled Jacobian {_some(vtk)}."
     return f"{which} invalid. {others}{rest}"
+
+
+def _one_accepted(by_corners: bool, by_vtk: bool) -> str:
+    if by_corners and by_vtk:
+        return "The eight corners and VTK’s scaled Jacobian would accept it."
+    corners, vtk = "would accept" if by_corners else "reject", "would accept" if by_vtk else "rejects"
+    return f"The eight corners {corners} it, VTK’s scaled Jacobian {vtk} it."
+
+
+def _some(count: int) -> str:
+    return "none" if count == 0 else _grouped(count)
 
 
 def _accepted_invalid(check: MeshCheck) -> NDArray[np.uint16]:
@@ -175,15 +188,15 @@ def _histogram(check: MeshCheck, level: int) -> str:
 
 
 def _bars(counts: NDArray[np.int64], hexahedra: int, least: float | None, level: int) -> str:
-    """The bars, with what they are; the first if all that is below -1 is down to `least`."""
+    """The bars, with what they are; the first if all up to -1 is from `least`."""
     known = int(counts.sum())
     words = f"Relative minima of {_grouped(known)} {'hexahedron' if known == 1 else 'hexahedra'}"
     beside = hexahedra - known
     others = f" {_grouped(beside)} {'has' if beside == 1 else 'have'} none: the volume is 0, or there is no answer." if beside else ""
     first = int(np.flatnonzero(counts)[0])
     if first == 0 and least is not None:
-        others = f" The first bar is all below -1, down to {speak_number(least)}.{others}"
-    # The bin of all below -1 is drawn as wide as the others.
+        others = f" The first bar is all up to -1, from {speak_number(least)}.{others}"
+    # The bin of all up to -1 is drawn as wide as the others.
     edges = np.array([EDGES[1] - 1 / BINS, *EDGES[1:]])
     return (
         f'<h{level} class="part">{words}</h{level}>\n'

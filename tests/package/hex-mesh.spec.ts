@@ -83,6 +83,16 @@ test.describe('a mesh in a page', () => {
     await expect(mesh.getByText('of the 5,120 cells')).toBeHidden()
     expect((await new AxeBuilder({ page: tab }).analyze()).violations).toEqual([])
 
+    // On a phone all buttons are above the list.
+    const desktop = tab.viewportSize()
+    await tab.setViewportSize({ width: 360, height: 740 })
+    const bottomOfButtons = () =>
+      mesh.locator('.bar button').evaluateAll(all => Math.max(...all.map(each => each.getBoundingClientRect().bottom)))
+    const topOfList = () => mesh.locator('.list').evaluate(list => list.getBoundingClientRect().top)
+    expect(await topOfList()).toBeGreaterThanOrEqual(await bottomOfButtons())
+    await expect(mesh.locator('.notes')).not.toHaveAttribute('open')
+    if (desktop) await tab.setViewportSize(desktop)
+
     // The list, the worst first, and a row of it.
     const rows = mesh.getByRole('grid', { name: 'Cells' }).getByRole('row')
     await expect(rows.nth(1)).toHaveText(/INVALID|inverted|collapsed/)

@@ -157,6 +157,7 @@ describe('what people read', () => {
     expect((await check([steps])).status).toBe(0)
     const last = await check([steps, '--step', 'last'])
     expect([last.status, last.output.includes('Time step 2 of 2 was read')]).toEqual([1, true])
+    expect(last.output).toContain('--step all checks every step.')
     expect((await check([steps, '--step=1'])).status).toBe(0)
     expect((await check([steps, '--step=3'])).status).toBe(2)
     expect((await check([steps, '--step=0'])).errors).toMatch(/--step wants a number from 1 on, last or all, not 0/)
@@ -388,7 +389,7 @@ describe('options', () => {
     const headings = [...html.matchAll(/<h[12] class="headline">(.*?)<\/h/g)].map(([, text]) => text)
     expect(headings).toEqual([
       '3 meshes',
-      '4 of 5 hexahedra are invalid. The eight corners would accept 0 of them, VTK’s scaled Jacobian 2.',
+      '4 of 5 hexahedra are invalid. The eight corners would accept none of them, VTK’s scaled Jacobian 2.',
       'All 2 hexahedra are valid.',
       'The file was not read.',
     ])

@@ -1,7 +1,13 @@
 /** What the page Mesh says about files, folders, refusals and what to do next. */
 import { expect, test } from 'vitest'
 import { WaitingFiles } from '../../web/input/waiting-files'
-import { cancelledWords, namesakeSentence, nextSentence, refusalWords } from '../../web/pages/mesh/page-words'
+import {
+  acceptedSentence,
+  cancelledWords,
+  namesakeSentence,
+  nextSentence,
+  refusalWords,
+} from '../../web/pages/mesh/page-words'
 import type { Overview, Row } from '../../web/survey/survey-jobs'
 
 const file = (name: string) => ({ name }) as File
@@ -28,6 +34,13 @@ test('invalid cells lead to the files, corrections are their own way, and valid 
   expect(nextSentence(overview(0, 0, {}))).toMatch(/^The least relative minimum is 0\.25, of cell 7:/)
   expect(nextSentence(overview(0, 0, { why: 'not finite' }))).toBe('')
   expect(nextSentence(overview(0, 0, null))).toBe('')
+})
+
+test('who accepts an invalid cell is said of it, and of no other', () => {
+  const acceptedBy = ['corners', 'gauss-2'] as const
+  expect(acceptedSentence({ standing: 'invalid', acceptedBy })).toBe('Accepted by eight corners, 2×2×2 Gauss points.')
+  expect(acceptedSentence({ standing: 'invalid', acceptedBy: [] })).toBe('')
+  expect(acceptedSentence({ standing: 'valid', acceptedBy })).toBe('')
 })
 
 test('equal names in several folders are told, others are not', () => {

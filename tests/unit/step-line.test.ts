@@ -7,6 +7,7 @@ import {
   lineSentence,
   type StepAnswer,
   stepName,
+  timeWords,
 } from '../../web/mesh/step-answers'
 import { stepLineOf, stepWords } from '../../web/pages/mesh/step-line'
 import type { StepList } from '../../web/survey/survey-jobs'
@@ -136,4 +137,16 @@ describe('the line', () => {
     expect(line([refused(0), null])).toBe(null)
     expect(firstInvalid([refused(0), null])).toBe(null)
   })
+})
+
+test('times are as the files have them, but for digits beyond single precision', () => {
+  expect(['0.0', '0.25', '1e-12', '0.0799999982118607', '1234567.891234', 'summer', ''].map(timeWords)).toEqual([
+    '0.0',
+    '0.25',
+    '1e-12',
+    '0.08',
+    '1234568',
+    'summer',
+    '',
+  ])
 })

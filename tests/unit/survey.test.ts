@@ -50,6 +50,8 @@ function select(survey: Survey, selection: Partial<Selection>): number[] {
   return listed(survey)
 }
 
+const accepted = [0, 1, 0, 1, 1, -4, 1, 4, -3, -2, -1, -2, -4, 1, 4, 4, -1, 4, 4, 1, 3, -2, 3, 1]
+const wedge = unitCube.with(9, 1)
 const elbow: Mesh = { ...meshOf([]), ...part() }
 const few = meshOf([unitCube, notFinite, mirroredCube, flat, invalidCorner])
 const next = randomSource(11)
@@ -71,10 +73,12 @@ describe('the sentence on top', () => {
     [[unitCube, unitCube], 'All 2 hexahedra are valid.'],
     [[unitCube], 'The hexahedron is valid.'],
     [[mirroredCube], 'The hexahedron is invalid. The eight corners and VTK’s scaled Jacobian reject it, too.'],
+    [[wedge], 'The hexahedron is invalid. The eight corners reject it, VTK’s scaled Jacobian would accept it.'],
+    [[accepted, unitCube], '1 of 2 hexahedra is invalid. The eight corners and VTK’s scaled Jacobian would accept it.'],
     [[unitCube, notFinite], 'None of 2 hexahedra is known to be invalid. 1 is unanswered.'],
     [
       [mirroredCube, flat, notFinite, notFinite],
-      '2 of 4 hexahedra are invalid. The eight corners would accept 0 of them, VTK’s scaled Jacobian 1. 2 are unanswered.',
+      '2 of 4 hexahedra are invalid. The eight corners would accept none of them, VTK’s scaled Jacobian 1. 2 are unanswered.',
     ],
   ])('%#', async (elements, sentence) => {
     expect((await surveyOf(meshOf(elements))).overview('a').headline).toBe(sentence)
@@ -173,6 +177,12 @@ test('the histogram counts each cell once, with zero as an edge, and its percent
   expect(percentiles.map(({ value }) => value)).toEqual([1, 10, 50, 90, 99].map(percent => sorted[4 * percent - 1]))
   const least = sorted[0] as number
   expect(edges[0]).toBeLessThanOrEqual(least)
+})
+
+test('a cell whose relative minimum is 0 is invalid, and counted on that side of zero', async () => {
+  const { edges, counts } = (await surveyOf(meshOf([wedge, unitCube]))).histogram()
+  expect([edges.slice(0, 2), counts[0]]).toEqual([[-0.025, 0], 1])
+  expect([edges.at(-1), counts.at(-1)]).toEqual([1, 1])
 })
 
 describe('faces', () => {

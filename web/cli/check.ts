@@ -150,7 +150,7 @@ function outputsOf(wanted: CheckArguments, streams: Streams, say: (sentence: str
     ? jsonOutput()
     : ids !== null
       ? idsOutput(ids, files.length, say)
-      : textOutput({ ...wanted, listsAll: worst !== null })
+      : textOutput({ ...wanted, listsAll: worst !== null, isOneStep: wanted.step !== 'all' })
   return [
     ...(csv === null ? [] : [toFile(csvOutput(), csv)]),
     ...(junit === null ? [] : [toFile(junitOutput(wanted), junit)]),

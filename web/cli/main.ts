@@ -9,7 +9,7 @@ import { type AnswerTo, answerElements } from './elements'
 import type { Engine } from './engine'
 import { repair } from './repair'
 import { processStreams, type Streams } from './streams'
-import { CHECK_USAGE, REPAIR_USAGE, USAGE } from './usage'
+import { CALL, CHECK_USAGE, REPAIR_USAGE, USAGE } from './usage'
 
 export type { Streams } from './streams'
 
@@ -52,8 +52,9 @@ export async function main(
       await answerElements(answerTo, file, engine, streams)
       return OK
     }
+    if (name !== '' && answerTo === undefined)
+      throw new Refusal(`There is no command ${shown(name)}. ${CALL} --help says what there is.`)
     streams.errors.write(USAGE)
-    if (name !== '' && answerTo === undefined) throw new Refusal(`There is no command ${shown(name)}.`)
     return REFUSED
   } catch (error) {
     if (!(error instanceof Refusal)) throw error

@@ -94,7 +94,7 @@ async function repaired(work: Work, sink: FileSink, proofs: FileSink | null): Pr
       certificates,
     }))
       await streams.output.write(`${line}\n`)
-    const text = textOutput({ listsAll: false, minRelative, skipsDegenerate: false })
+    const text = textOutput({ listsAll: false, minRelative, skipsDegenerate: false, isOneStep: false })
     for (const chunk of text.file({ file: output, exit, check })) await streams.output.write(chunk as string)
     return exit
   } finally {

@@ -1,11 +1,13 @@
 /** The texts of `--help`. */
 
-const CALL = process.env.npm_lifecycle_event === 'hexlens' ? 'npm run -s hexlens --' : 'hexlens'
+export const CALL = process.env.npm_lifecycle_event === 'hexlens' ? 'npm run -s hexlens --' : 'hexlens'
 
 export const USAGE = `Usage: ${CALL} check FILE...           a mesh: ${CALL} check --help
        ${CALL} repair FILE -o OUT      a mesh, with vertices moved: ${CALL} repair --help
        ${CALL} analyze FILE.json
        ${CALL} certify FILE.json
+
+Decides exactly whether trilinear hexahedra are valid finite elements: jacdet > 0 everywhere in them.
 
 analyze reads a JSON list of {"name", "vertices": [[x, y, z], ... 8 points in VTK_HEXAHEDRON order]} ("-": standard input)
 and prints a JSON list of {"name", "valid", "class", "coincident", "shape", "boundary_min", "boundary_min_error",
@@ -19,7 +21,7 @@ shape         wedge, pyramid or tetrahedron where the coincidences make one, els
 volume        the integral of jacdet
 relative_min  boundary_min over |volume|, a number without a dimension; null where the volume is 0
 
-certify prints {"name", "vertices", "valid", ...} with a proof: docs/certificates.md says which, and
+certify reads the same list and prints {"name", "vertices", "valid", ...} with a proof: docs/certificates.md says which, and
 tests/certificates/check_certificates.py checks it.
 
 Exit status: 0, or 2 for a wrong call or input.

@@ -139,8 +139,14 @@ export class MeshView {
 }
 
 function overviewTemplate({ name, format, headline, sentences }: Overview): TemplateResult {
+  const file = html`<b>${name}</b>, ${format}.`
+  // More would take the picture's room.
   return html`<p class="headline">${headlineTemplate(headline)}</p>
-    <p class="notes"><b>${name}</b>, ${format}.${sentences.map(sentence => html` ${sentence}`)}</p>`
+    ${
+      sentences.length > 1
+        ? html`<details class="notes"><summary>${file} ${sentences.length} notes</summary>${sentences.map(sentence => html`<p>${sentence}</p>`)}</details>`
+        : html`<p class="notes">${file} ${sentences}</p>`
+    }`
 }
 
 function progressTemplate({ step, name, fraction }: NonNullable<ShownMesh['progress']>): TemplateResult {

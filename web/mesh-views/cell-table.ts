@@ -91,6 +91,11 @@ export class CellTable {
     else this.#goTo(rank)
   }
 
+  /** Back to the first row, for another list. */
+  toStart(): void {
+    this.#goTo(0)
+  }
+
   dispose(): void {
     this.#size.disconnect()
   }

@@ -3,7 +3,7 @@ import type { MeshCheck } from './mesh-check'
 
 /** Counts of relative minima, of all answered cells whose volume is not 0. */
 export interface Histogram {
-  /** Bin i is [edges[i], edges[i + 1]), the last with its end; 0 is an edge wherever there are numbers of both signs. */
+  /** Bin i is (edges[i], edges[i + 1]], the first with its start: 0, which is invalid, is on the side of what is negative. */
   readonly edges: readonly number[]
   readonly counts: readonly number[]
   /** Relative minima below which 1, 10, 50, 90 and 99 % of the cells are. */
@@ -15,7 +15,7 @@ export interface Histogram {
 /** Bins between 0 and 1, the greatest relative minimum that there is; below 0 as wide, down to -1. */
 const BINS = 40
 export const BIN = 1 / BINS
-/** What is below is one bin, which a picture shows as wide as the others. */
+/** What is not above is one bin, which a picture shows as wide as the others. */
 export const LEAST = -1
 const PERCENTS = [1, 10, 50, 90, 99]
 
@@ -42,9 +42,9 @@ export function histogramOf({ answers: { relativeMinima }, worst, hexahedra }: M
   }
 }
 
-/** Bin 0 is all that is below -1. */
+/** Bin 0 is all up to -1. */
 function binOf(value: number): number {
-  return Math.max(0, Math.min(2 * BINS, 1 + BINS + Math.floor(value * BINS)))
+  return Math.max(0, Math.min(2 * BINS, BINS + Math.ceil(value * BINS)))
 }
 
 /** The value of the first cell, from the worst on, that has at least so many per cent up to it. */

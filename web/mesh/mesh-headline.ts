@@ -13,8 +13,19 @@ export function headlineOf(check: MeshCheck): string {
   const others =
     corners + vtk === 0
       ? `The eight corners and VTK’s scaled Jacobian reject ${them}, too.`
-      : `The eight corners would accept ${grouped(corners)} of them, VTK’s scaled Jacobian ${grouped(vtk)}.`
+      : invalid === 1
+        ? oneAccepted(corners === 1, vtk === 1)
+        : `The eight corners would accept ${someOf(corners)} of them, VTK’s scaled Jacobian ${someOf(vtk)}.`
   return `${of} invalid. ${others}${open}`
+}
+
+function oneAccepted(byCorners: boolean, byVtk: boolean): string {
+  if (byCorners && byVtk) return 'The eight corners and VTK’s scaled Jacobian would accept it.'
+  return `The eight corners ${byCorners ? 'would accept' : 'reject'} it, VTK’s scaled Jacobian ${byVtk ? 'would accept' : 'rejects'} it.`
+}
+
+function someOf(count: number): string {
+  return count === 0 ? 'none' : grouped(count)
 }
 
 function noneAnswered(hexahedra: number): string {

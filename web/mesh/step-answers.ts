@@ -57,11 +57,20 @@ function leastOf({ answers: { relativeMinima, classes } }: MeshCheck, cell: numb
   return CLASSES[classes[cell] as number] === 'collapsed' ? 0 : -Infinity
 }
 
+const SHORT = 8
+
+/** A time as it is said: of a long number the seven digits of single precision, which many files hold; another text as it is. */
+export function timeWords(time: string): string {
+  const value = Number(time)
+  const short = String(Number(value.toPrecision(7)))
+  return Number.isFinite(value) && time.length > SHORT ? short : time
+}
+
 /** "Step 5 (t = 0.4)", or with the name of its file where it has no time, or neither. */
 export function stepName({ steps }: StepNames, answers: Answers, step: number): string {
   const { name = '', time = null } = steps[step] ?? {}
   const known = time ?? answers[step]?.time ?? null
-  const beside = known === null ? name : `t = ${known}`
+  const beside = known === null ? name : `t = ${timeWords(known)}`
   return `Step ${step + 1}${beside === '' ? '' : ` (${beside})`}`
 }
 

@@ -22,7 +22,7 @@ export function histogramMarkup(histogram: Histogram, level: number): string {
     ({ percent, value }, i) => `${formatNumber(value)} in ${percent}\u00a0%${i === 0 ? ' of them' : ''}`,
   )
   const least = edges[0] as number
-  const below = least < LEAST - BIN ? ` The first bar is all below −1, down to ${formatNumber(least)}.` : ''
+  const below = least < LEAST - BIN ? ` The first bar is all up to −1, from ${formatNumber(least)}.` : ''
   return `<h${level} class="part">${words}</h${level}>
 <p class="beside">Counts are logarithmic, negative values red and hatched.${below}${others}</p>
 ${svgOf(edges, counts, words)}

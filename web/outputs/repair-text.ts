@@ -59,7 +59,7 @@ function* reasonLines({ result, reason, margin }: Repaired): Generator<string> {
     const at = [0, 1, 2].map(r => result.points[3 * point + r]) as unknown as Vec3
     const own = counted(cells.length, 'cell', 'cells')
     const by = proof.isProved
-      ? `: ${counted(proof.holds.length, 'point', 'points')} of the cells forbid it, proved`
+      ? `: ${counted(proof.holds.length, 'point', 'points')} of the cells ${proof.holds.length === 1 ? 'forbids' : 'forbid'} it, proved`
       : ''
     const place = `    point ${point} at ${formatPoint(at).replaceAll('−', '-')}: no place makes its ${own}`
     if (forbids === 'valid') yield `${place} valid${by}.`

@@ -10,6 +10,8 @@ export interface TextOptions {
   readonly listsAll: boolean
   readonly minRelative: number | null
   readonly skipsDegenerate: boolean
+  /** True if others could have been asked for at once. */
+  readonly isOneStep: boolean
 }
 
 export function textOutput(options: TextOptions): Output {
@@ -32,6 +34,7 @@ function* lines(file: string, check: MeshCheck, options: TextOptions): Generator
   if (options.minRelative !== null) yield `  ${below} with a relative minimum below ${options.minRelative}.`
   for (const sentence of countSentences(check, options)) yield `  ${sentence}`
   for (const note of notes) yield `  ${note}`
+  if (options.isOneStep && mesh.steps.length > 1 && !mesh.isSteady) yield '  --step all checks every step.'
   if (!isWhollyAnswered(check) && check.invalid === 0 && below === 0)
     yield '  Not all could be answered: exit status 3, or 0 with --allow-unchecked.'
   yield* worstLines(check, options)

@@ -8,7 +8,7 @@ const REPEATED =
   'If they are meant as wedges, pyramids or tetrahedra, “boundary_min < 0” as the condition lists what is invalid beside them.'
 const EXPORT_WHOLE = 'For all of them, export the whole mesh anew.'
 const WHICH_ORDER = 'If an answer surprises, write the mesh in a format that states the order of nodes, such as VTU.'
-const ANOTHER_STEP = 'For another one, write that step alone.'
+const ANOTHER_STEP = 'The slider shows the others, if the file was opened alone.'
 const PLACES = 'If that is not what you meant, write the mesh with its nodes where they are in the analysis.'
 
 /** The first that a sentence meets holds. An empty advice: nothing has to be done. */

@@ -1,4 +1,7 @@
-/** A section that its button shows and hides; Escape in it hides it. Both are hidden at first. */
+/** A section that its button shows and hides: one at a time, since it moves the picture down; Escape hides it. Both are hidden at first. */
+
+let opened: ButtonSection | null = null
+
 export class ButtonSection {
   readonly button = document.createElement('button')
   readonly root = document.createElement('section')
@@ -13,15 +16,20 @@ export class ButtonSection {
     root.id = id
     root.className = id
     root.setAttribute('aria-label', name)
-    root.addEventListener('keydown', event => {
-      if (event.key !== 'Escape') return
-      this.open(false)
-      button.focus()
-    })
+    for (const part of [button, root])
+      part.addEventListener('keydown', ({ key }) => {
+        if (key !== 'Escape' || root.hidden) return
+        this.open(false)
+        button.focus()
+      })
     this.open(false)
   }
 
   open(isOpen: boolean): void {
+    if (isOpen && opened !== this) {
+      opened?.open(false)
+      opened = this
+    }
     this.root.hidden = !isOpen
     this.button.setAttribute('aria-expanded', String(isOpen))
   }

@@ -1,11 +1,13 @@
 /** What stands around the lens: which cell is in it, and the buttons that go through the invalid ones. */
 import { html, nothing, render } from 'lit-html'
 import { encodePermalink } from '../../model/permalink'
-import type { CellDetail, Overview } from '../../survey/survey-jobs'
+import type { CellDetail, Overview, Row } from '../../survey/survey-jobs'
+import { acceptedSentence } from './page-words'
 
 export class ChosenView {
   readonly #root: HTMLElement
   readonly #which: HTMLElement
+  readonly #accepted: HTMLElement
   readonly #through: HTMLElement
   readonly #lens: HTMLElement
   readonly #goToNext: (step: 1 | -1) => void
@@ -14,6 +16,7 @@ export class ChosenView {
     const part = (selector: string) => root.querySelector(selector) as HTMLElement
     this.#root = root
     this.#which = part('.which')
+    this.#accepted = part('.accepted')
     this.#through = part('.through')
     this.#lens = part('hex-lens')
     this.#goToNext = goToNext
@@ -40,11 +43,18 @@ export class ChosenView {
       }`,
       this.#which,
     )
+    this.showAccepted(row)
     this.#lens.hidden = vertices === null
+  }
+
+  /** Which checks accept it. */
+  showAccepted(row: Row): void {
+    this.#accepted.textContent = acceptedSentence(row)
   }
 
   showNone(): void {
     render(html`The chosen cell is not in this step.`, this.#which)
+    this.#accepted.textContent = ''
     this.#lens.hidden = true
   }
 

@@ -38,7 +38,8 @@ export class HistogramView {
     this.#histogram = histogram
     this.#range = range
     this.#render()
-    return histogram && histogram.counts.length > 0 ? this.root : nothing
+    if (histogram === null) render(nothing, this.root)
+    return histogram?.counts.length === 0 ? nothing : this.root
   }
 
   #render(): void {
@@ -87,7 +88,7 @@ export class HistogramView {
         ><span title="The heights are logarithms of the counts.">Relative minimum: least jacdet / volume</span
         ><span>${formatNumber(greatest)}</span>
       </figcaption>
-      <p class="percentiles">${text}</p>`
+      <p class="percentiles" title="Below which so many per cent of the cells are">${text}</p>`
   }
 
   #handle(end: End, name: string, value: number, edges: readonly number[]): TemplateResult {
@@ -152,7 +153,7 @@ export class HistogramView {
   }
 }
 
-/** What is below -1 has a bar as wide as the others. */
+/** What is up to -1 has a bar as wide as the others. */
 function leftOf(edges: readonly number[]): number {
   return Math.max(edges[0] as number, -1 - 1 / 40)
 }

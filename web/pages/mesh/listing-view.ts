@@ -57,9 +57,9 @@ export function listingTemplate(
   return html`${filterTemplate(shown, overview, listing)}
     ${parts.histogram}
     <form class="go" @submit=${(event: SubmitEvent) => onGo(event, choosing)}>
-      <p class="count">
-        ${count}${isDone ? '' : `, ${Math.floor((100 * (selected?.done ?? 0)) / overview.hexahedra)} % looked at`}
-        ${range === null ? nothing : html`<button type="button" @click=${() => listing.selectWholeRange()}>Whole range</button>`}
+      <p class="count" title=${isDone ? nothing : 'So many per cent of the cells have been looked at'}>
+        ${count}${isDone ? '' : `, ${Math.floor((100 * (selected?.done ?? 0)) / overview.hexahedra)} %`}
+        ${range === null ? nothing : html`<button type="button" title="Whole range" aria-label="Whole range" @click=${() => listing.selectWholeRange()}>✕</button>`}
       </p>
       <label>Go to ${overview.hasIds ? 'id' : 'index'} <input name="id" autocomplete="off" spellcheck="false" /></label>
       <button type="submit">Go</button>

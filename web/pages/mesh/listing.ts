@@ -26,8 +26,11 @@ export class Listing {
       own === this.#state.survey && this.#state.set({ arranging: { order, fraction } })
     const isArranged = await this.#state.asked(open => open.arrange(order, onStep))
     if (!isArranged) return
+    const { order: before } = this.#state.shown
+    const isOther = order.column !== before.column || order.isDescending !== before.isDescending
     this.#state.set({ order, arranging: null })
     this.#show()
+    if (isOther) this.#views.table.toStart()
   }
 
   cancelArranging(): void {
@@ -41,6 +44,7 @@ export class Listing {
     if (!overview) return
     const own = this.#state.survey
     const complaint = complaintAbout(condition)
+    const isOther = condition !== this.#state.shown.condition || range !== this.#state.shown.range
     this.#state.set({ condition, range, complaint })
     if (complaint !== null) return
     const selection = { condition: condition.trim() === '' ? null : condition, range }
@@ -50,7 +54,9 @@ export class Listing {
       this.#show()
     }
     const selected = await this.#state.asked(open => open.select(selection, overview.hexahedra, onStep))
-    if (selected) await this.#views.picture.refresh()
+    if (!selected) return
+    if (isOther) this.#views.table.toStart()
+    await this.#views.picture.refresh()
   }
 
   selectWholeRange(): void {

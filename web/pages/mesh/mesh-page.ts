@@ -66,7 +66,11 @@ const travel = new SettingsTravel({
 const takeAway = new TakeAway({ survey, picture: () => picture.toPNG(), saved: () => moves.saved() })
 const chosenView = new ChosenView(part('.one'), step => void choosing.goToNext(step))
 const moving = new MovingLens(lens, part('.one .moving'), {
-  rows: rows => table.patch(rows),
+  rows: rows => {
+    table.patch(rows)
+    const row = rows.find(({ cell }) => cell === chosenCell())
+    if (row) chosenView.showAccepted(row)
+  },
   move: made => void moves.take(own => own.move(made)),
   step: which => void moves.take(own => own[which]()),
   restore: points => void moves.take(own => own.restore(points)),

@@ -85,10 +85,13 @@ export class MovingLens {
   /** A cell of the mesh; `steps` is true for a mesh of several time steps, which is only looked at. */
   show(cell: number, vertices: Vertices, around: Around | null, { hasSteps }: { readonly hasSteps: boolean }): void {
     if (this.#chosen?.cell === cell && this.#isHeld) return
-    if (this.#chosen?.cell !== cell) this.#said = ''
+    const isAnother = this.#chosen?.cell !== cell
+    if (isAnother) this.#said = ''
     const whyNot = hasSteps ? ONLY_SHOWN : around === null ? UNKNOWN : ''
     this.#chosen = { cell, around, whyNot }
     this.#put(vertices)
+    // For the lens an element that a program sets is a step of an animation: its camera would stay.
+    if (isAnother) this.#lens.fit()
     this.#relive()
     this.#render()
   }
@@ -120,10 +123,11 @@ export class MovingLens {
   }
 
   #surround(): void {
-    const { cell, around } = this.#chosen ?? {}
+    const { cell, around, whyNot } = this.#chosen ?? {}
+    const ofBoundary = this.#isBoundaryFree ? [] : (around?.onBoundary ?? [])
     this.#lens.surround({
       hexahedra: cell === undefined ? [] : (this.#live?.drawnAround(cell) ?? []),
-      fixed: this.#isBoundaryFree ? [] : (around?.onBoundary ?? []),
+      fixed: whyNot === ONLY_SHOWN ? VERTICES : ofBoundary,
     })
   }
 
@@ -204,7 +208,9 @@ export class MovingLens {
   }
 
   #render(): void {
-    render(this.#chosen ? this.#template() : nothing, this.#root)
+    const isOnlyShown = this.#chosen?.whyNot === ONLY_SHOWN
+    const template = isOnlyShown ? html`<p class="moved">${ONLY_SHOWN}</p>` : this.#chosen ? this.#template() : nothing
+    render(template, this.#root)
   }
 
   #template(): TemplateResult {

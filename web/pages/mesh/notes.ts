@@ -3,7 +3,7 @@ import { html, nothing, type TemplateResult } from 'lit-html'
 import type { Overview } from '../../survey/survey-jobs'
 import { adviceFor } from './advice'
 import type { Example } from './examples'
-import { ALL_FORMATS, FORMATS, nextSentence, STAYS } from './page-words'
+import { ALL_FORMATS, FORMATS, MEANS, nextSentence, STAYS } from './page-words'
 
 export interface Noted {
   readonly overview: Overview | null
@@ -20,7 +20,7 @@ export function notesTemplate({ overview, example, beside }: Noted): TemplateRes
   if (!overview) return html`<p>${STAYS} ${formats}</p>`
   const sentences = [...overview.sentences, beside].filter(sentence => sentence !== '')
   const first = example
-    ? html`<p>${example.sentence} Drop your own mesh anywhere here. ${STAYS} ${formats}</p>`
+    ? html`<p>${example.sentence} ${MEANS} Drop your own mesh anywhere here. ${STAYS} ${formats}</p>`
     : html`<p><b>${overview.name}</b>, ${overview.format}. ${STAYS} ${nextSentence(overview)}</p>`
   const seen = sentences.length === SEEN + 1 ? SEEN + 1 : SEEN
   const notes = advised(sentences)

@@ -1,7 +1,8 @@
 /** What the page Mesh says beside the sentences of the mesh itself. */
 import { formatNames } from '../../mesh/format-names'
 import { formatNumber } from '../../model/decimal'
-import type { Overview } from '../../survey/survey-jobs'
+import type { Overview, Row } from '../../survey/survey-jobs'
+import { checkNames } from '../../views/check-names'
 
 /** Names that stand for the others. */
 const NAMED = 8
@@ -9,6 +10,7 @@ const NAMED = 8
 export const NOT_IN_STEPS =
   'A mesh of several time steps is only shown: open the file of one step alone to untangle it.'
 export const NOTHING_OPEN = 'Nothing is open. Drop a mesh anywhere here, open its files or paste its text.'
+export const MEANS = 'Invalid: the Jacobian determinant, jacdet, is ≤ 0 somewhere in the cell.'
 export const STAYS = 'It is read in this browser and sent nowhere.'
 export const ALL_FORMATS = `Formats: ${formatNames.join(', ')}.`
 export const FORMATS = `Formats: ${formatNames.slice(0, NAMED).join(', ')} and ${formatNames.length - NAMED} others.`
@@ -27,6 +29,12 @@ export function cancelledWords(open: string | null): string {
 export function unsavedSentence(name: string, movedCount: number): string {
   const moved = movedCount === 1 ? 'One moved vertex' : `${movedCount.toLocaleString('en')} moved vertices`
   return `${moved} of ${name} ${movedCount === 1 ? 'is' : 'are'} in no file.`
+}
+
+/** Of an invalid cell; empty where no check accepts it. */
+export function acceptedSentence({ standing, acceptedBy }: Pick<Row, 'standing' | 'acceptedBy'>): string {
+  if (standing !== 'invalid' || acceptedBy.length === 0) return ''
+  return `Accepted by ${acceptedBy.map(check => lowerFirst(checkNames[check])).join(', ')}.`
 }
 
 function stillOpen(name: string): string {

@@ -60,7 +60,7 @@ export function barTemplate(state: BarState, host: BarHost): TemplateResult {
         ${toggle('Apart', isApart, 'Draw the cells smaller, with gaps', on => host.set({ isApart: on }))}
       </span>
       <span class="toggles">
-        <button type="button" title="Fly to the chosen cell" ?disabled=${!state.hasChosen} @click=${host.flyToChosen}>Chosen cell</button>
+        <button type="button" title="Bring the chosen cell near" ?disabled=${!state.hasChosen} @click=${host.flyToChosen}>Fly to cell</button>
         <button type="button" title="The whole mesh (F)" @click=${host.fit}>Fit</button>
         ${toggle('Settings', isTravelOpen, 'Colours, and all settings as a text to copy', host.travelling)}
       </span>
@@ -85,7 +85,7 @@ function setTemplate({ blocks, counts }: Overview, { set, rings }: PictureSettin
     html`<option value=${value} ?selected=${value === set}>${name}</option>`
   return html`<label
       ><span class="said">Cells in the picture</span
-      ><select .value=${set} @change=${(event: Event) => host.set({ set: (event.target as HTMLSelectElement).value as CellSet })}>
+      ><select .value=${set} @change=${(event: Event) => takeSet((event.target as HTMLSelectElement).value as CellSet, rings, host)}>
         ${option('all', 'All cells')}
         ${counts.invalid > 0 || set === 'invalid' ? option('invalid', 'Invalid cells') : nothing}
         ${option('around', 'Around the chosen cell')} ${option('listed', 'Listed cells')}
@@ -101,6 +101,12 @@ function setTemplate({ blocks, counts }: Overview, { set, rings }: PictureSettin
         >`
         : nothing
     }`
+}
+
+/** One cell alone, of thousands and from afar, is a dot. */
+function takeSet(set: CellSet, rings: number, host: BarHost): void {
+  host.set(set === 'around' && rings === 0 ? { set, rings: 1 } : { set })
+  if (set === 'around') host.flyToChosen()
 }
 
 const AXES = [

@@ -1,5 +1,5 @@
 /** The line of the least relative minimum over the steps: where its points are; and a step in words. */
-import type { Answers } from '../../mesh/step-answers'
+import { type Answers, timeWords } from '../../mesh/step-answers'
 import { formatNumber } from '../../model/decimal'
 import type { StepList } from '../../survey/survey-jobs'
 
@@ -67,11 +67,11 @@ function timesOf({ steps }: StepList, answers: Answers): readonly number[] | nul
 export function stepWords(list: StepList, answers: Answers, step: number): string {
   const answer = answers[step]
   const time = list.steps[step]?.time ?? answer?.time ?? null
-  const name = `Step ${step + 1} of ${list.steps.length}${time === null ? '' : `, t = ${time}`}`
+  const name = `Step ${step + 1} of ${list.steps.length}${time === null ? '' : `, t = ${timeWords(time)}`}`
   if (!answer) return name
   if (!answer.counts) return `${name}: not read`
   const { hexahedra, invalid } = answer.counts
-  const counts = `${invalid.toLocaleString('en')} of ${hexahedra.toLocaleString('en')} ${hexahedra === 1 ? 'cell' : 'cells'} ${invalid === 1 ? 'is' : 'are'} invalid`
+  const counts = `${invalid.toLocaleString('en')} of ${hexahedra.toLocaleString('en')} ${hexahedra === 1 ? 'cell' : 'cells'} ${invalid === 1 || hexahedra === 1 ? 'is' : 'are'} invalid`
   return `${name}: ${counts}${answer.least === null ? '' : `, least relative minimum ${leastWords(answer.least)}`}`
 }
 

@@ -2,7 +2,7 @@
 import { html, nothing, render, svg, type TemplateResult } from 'lit-html'
 import { wordsOf } from '../../core/workers'
 import type { ReadingProgress } from '../../input/reading'
-import { besideSentences, firstInvalid, lineSentence, type StepAnswer } from '../../mesh/step-answers'
+import { besideSentences, firstInvalid, lineSentence, type StepAnswer, timeWords } from '../../mesh/step-answers'
 import { formatNumber } from '../../model/decimal'
 import type { OpenSurvey } from '../../survey/open-survey'
 import type { Opening, StepList, StepOpening } from '../../survey/survey-jobs'
@@ -223,9 +223,11 @@ export class StepsView {
         .map(({ x, y }) => `M${at(x, y)}h0`)
         .join('')
     const times = [0, list.steps.length - 1].map(step => list.steps[step]?.time ?? this.#answers[step]?.time)
-    const end = (index: 0 | 1) => (isByTime ? `t = ${times[index]}` : `step ${index === 0 ? 1 : list.steps.length}`)
+    const end = (index: 0 | 1) =>
+      isByTime ? `t = ${timeWords(times[index] ?? '')}` : `step ${index === 0 ? 1 : list.steps.length}`
     const range = least === greatest ? formatNumber(least) : `from ${formatNumber(least)} to ${formatNumber(greatest)}`
     return html`<figure class="line">
+      <div class="plot">
       <svg
         viewBox=${`0 0 ${WIDTH} ${HEIGHT}`}
         preserveAspectRatio="none"
@@ -240,6 +242,7 @@ export class StepsView {
         <path class="dots invalid" d=${dots(true)}></path>`}
       </svg>
       <span class="zero-mark" .style=${`top: ${100 * zero}%`} aria-hidden="true">0</span>
+      </div>
       <figcaption><span>${end(0)}</span><span>Least relative minimum, ${range}${least < -1 ? ', logarithmic below −1' : ''}</span><span>${end(1)}</span></figcaption>
     </figure>`
   }

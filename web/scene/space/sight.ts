@@ -44,7 +44,8 @@ export function hitsOf({ corners: [a0, a1, b0, b1], products: [p0, p1, p2] }: Se
     const along = way(a, mix(b0, b1, s))
     const across = cross(along, direction)
     const square = dot(across, across)
-    const t = onFace(square > 0 ? -dot(cross(a, direction), across) / square : 0)
+    const aside = cross(a, direction)
+    const t = square > 0 ? onFace(-dot(aside, across) / square) : isOnSight(aside, a, direction) ? 0 : null
     if (t === null) continue
     const distance = (dot(a, direction) + t * dot(along, direction)) / dot(direction, direction)
     if (distance > 0) hits.push({ s, t, distance })
@@ -100,6 +101,14 @@ export class Sight {
     }
     return normals
   }
+}
+
+/**
+ * True if a is on the line of sight, but for the overlap. A line from A(s) to B(s) that is a point, as between coincident vertices, or
+ * parallel to the line of sight, makes the quadratic 0 for every line of sight, also for those that do not meet it.
+ */
+function isOnSight(aside: Vec3, a: Vec3, direction: Vec3): boolean {
+  return dot(aside, aside) <= OVERLAP * OVERLAP * dot(a, a) * dot(direction, direction)
 }
 
 function onFace(x: number): number | null {
