@@ -6,6 +6,7 @@ import { type CheckOptions, checkMesh, type ExitStatus, exitOf } from '../mesh/c
 import type { Mesh } from '../mesh/mesh'
 import type { MeshCheck } from '../mesh/mesh-check'
 import { Refusal } from '../model/result'
+import { fittingOf } from '../outputs/columns'
 import { writeHeldCertificates } from '../outputs/held-certificates'
 import { MESH_FORMS } from '../outputs/meshes/list'
 import type { MeshForm } from '../outputs/meshes/mesh-form'
@@ -76,9 +77,13 @@ async function repaired(work: Work, sink: FileSink, proofs: FileSink | null): Pr
     const meant = meantOrder ? { ...mesh, cells: meantOrder.cells } : mesh
     const result = await untangled(meant, work)
     const written = isReordered ? meant : mesh
+    let mostRounded = 0
+    const fit = fittingOf(mesh.format, off => {
+      mostRounded = Math.max(mostRounded, off)
+    })
     const chunks = form
       ? await writtenAs(form, { ...written, points: result.points }, work)
-      : movedFile(open.file, mesh, result.points)
+      : movedFile(open.file, mesh, result.points, fit)
     for (const chunk of chunks) sink.write(chunk)
     sink.close()
     const check = await checkOfWritten(work, form)
@@ -92,6 +97,7 @@ async function repaired(work: Work, sink: FileSink, proofs: FileSink | null): Pr
       result,
       meantOrder,
       isReordered,
+      mostRounded,
       reason,
       margin,
       isBoundaryFixed: !wanted.slides && !wanted.freeBoundary,

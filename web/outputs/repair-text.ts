@@ -19,6 +19,8 @@ export interface Repaired {
   readonly meantOrder: MeantOrder | null
   /** True if the mesh is written in that order. */
   readonly isReordered: boolean
+  /** By how much coordinates are off that had no room for all their digits. */
+  readonly mostRounded: number
   /** Of the held points, by their place among them. */
   reason(held: number): Reason
   readonly margin: number
@@ -37,12 +39,14 @@ export interface Repaired {
 const MOST_REASONS = 10
 
 export function* repairLines(repaired: Repaired): Generator<string> {
-  const { result, input, output, format, form } = repaired
+  const { result, input, output, format, form, mostRounded } = repaired
   const how =
     form === null ? 'where every byte but those of coordinates is as it was' : `its hexahedra alone, as ${form}`
   yield `${withoutControls(input)} (${format}) is written to ${withoutControls(output)}, ${how}.`
   yield* orderLines(repaired)
   yield* countLines(repaired)
+  if (mostRounded > 0)
+    yield `  The fields of the file have no room for all digits: moved coordinates are rounded by up to ${speakNumber(mostRounded)}.`
   if (result.tooManyCount > 0)
     yield `  ${counted(result.tooManyCount, 'point has', 'points have')} more cells than can be dealt with, and stay.`
   yield* reasonLines(repaired)
