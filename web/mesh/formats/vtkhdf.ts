@@ -173,8 +173,7 @@ class GridReader {
     const times = hdf5.dataset(steps, 'Values').all(Float64Array)
     const { step } = this.#options
     const at = step === 'last' ? times.length - 1 : step
-    if (at < 0 || at >= times.length)
-      hdf5.refuse(missingStep(times.length, step))
+    if (at < 0 || at >= times.length) hdf5.refuse(missingStep(times.length, step))
     const mesh: VtkMesh = this.#mesh
     const values = Array.from(times, String)
     if (mesh.steps.length === 0) {
