@@ -198,7 +198,9 @@ describe('repair', () => {
     expect(await said(pathOf('missing.msh'), '-o', pathOf('x.msh'))).toContain('missing.msh')
     const text = readFileSync(input, 'latin1').replace(/^8 .*$/m, '8 nan 0 0')
     writeFileSync(pathOf('nan.msh'), text)
-    expect(await said(pathOf('nan.msh'), '-o', pathOf('x.msh'))).toContain('not a finite number')
+    expect(await said(pathOf('nan.msh'), '-o', pathOf('x.msh'))).toContain(
+      'not a finite number. It is one of point 7, counted from 0.',
+    )
     expect(readdirSync(folder).filter(name => !['link.msh', 'nan.msh'].includes(name))).toEqual(before)
   })
 

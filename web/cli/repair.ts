@@ -155,8 +155,10 @@ async function untangled(mesh: Mesh, { wanted, engine, progress }: Work): Promis
   const result = await untangle(await engine.repairCore(), mesh, options, ({ belowBefore, belowAfter }) =>
     progress.show(`${name}: repairing`, 1 - belowAfter / Math.max(belowBefore, 1)),
   )
-  if (!result.ok) throw new Refusal(`${name}: ${result.error.message}`)
-  return result.value
+  if (result.ok) return result.value
+  const at = mesh.points.findIndex(x => !Number.isFinite(x))
+  const which = result.error.code === 'not-finite' ? ` It is one of point ${Math.floor(at / 3)}, counted from 0.` : ''
+  throw new Refusal(`${name}: ${result.error.message}${which}`)
 }
 
 async function writtenAs(form: MeshForm, mesh: Mesh, work: Work): Promise<Iterable<string | Uint8Array>> {
