@@ -4,6 +4,7 @@ import { type Hdf5Loading, LOADING } from '../mesh/hdf5-reader'
 import { joined } from '../mesh/join-meshes'
 import { type Mesh, MeshRefusal } from '../mesh/mesh'
 import { readMeshes } from '../mesh/read-mesh'
+import { shownFileName } from '../mesh/shown'
 import { missingStep } from '../mesh/step-note'
 import type { OpenFile } from './mesh-file'
 import type { ProgressLine } from './progress'
@@ -32,7 +33,8 @@ export async function meshIn(
   if (!first) throw new MeshRefusal(`${name}: there is no mesh in it.`)
   // Formats without steps, and files of the others that have none, leave the step to their caller.
   const stepCount = Math.max(1, ...meshes.map(({ steps }) => steps.length))
-  if (step !== 'last' && step >= stepCount) throw new MeshRefusal(`${name}: ${missingStep(stepCount, step)}`)
+  if (step !== 'last' && step >= stepCount)
+    throw new MeshRefusal(`${shownFileName(file.name)}: ${missingStep(stepCount, step)}`)
   return joined([first, ...others])
 }
 
