@@ -12,7 +12,7 @@ from ._version import __version__
 if TYPE_CHECKING:
     from ._certificates import certify, verify
     from ._check import Cell, MeshCheck, check
-    from ._repair import Repair, repair
+    from ._repair import Reason, Repair, repair
     from ._report import Candidate, Check, Face, FaceRoot, Report, VolumeMinimum, analyze
     from .widget import HexLens
 
@@ -30,6 +30,7 @@ __all__ = [
     "HexLens",
     "HexlensError",
     "MeshCheck",
+    "Reason",
     "Repair",
     "Report",
     "VolumeMinimum",
@@ -47,7 +48,7 @@ __all__ = [
 _LATER = {
     **dict.fromkeys(("certify", "verify"), "_certificates"),
     **dict.fromkeys(("Cell", "MeshCheck", "check"), "_check"),
-    **dict.fromkeys(("Repair", "repair"), "_repair"),
+    **dict.fromkeys(("Reason", "Repair", "repair"), "_repair"),
     **dict.fromkeys(("Candidate", "Check", "Face", "FaceRoot", "Report", "VolumeMinimum", "analyze"), "_report"),
     "HexLens": "widget",
 }

@@ -87,8 +87,7 @@ def shown_name(path: str) -> str:
 
 
 def read_file(path: str, format_: str | None = None, step: int | str = 1) -> Mesh:
-    """VTU, .pvtu (gzipped or not) and VTK legacy; everything else is refused by name. A file of these has no steps to choose from."""
-    del step
+    """VTU, .pvtu (gzipped or not) and VTK legacy; everything else is refused by name. A file of these has one time step."""
     name = shown_name(path)
     try:
         if Path(path).stat().st_size == 0:
@@ -98,10 +97,11 @@ def read_file(path: str, format_: str | None = None, step: int | str = 1) -> Mes
     except OSError as error:
         raise HexlensError(f"{name} cannot be read: {_reason(error)}.") from None
     known = _format_of(path, name, head) if format_ is None else _FORMATS.get(format_.lower())
-    if known == "VTU":
-        return read_vtu(path, name)
-    if known == "VTK":
-        return _read_legacy(path, name)
+    if known is not None:
+        mesh = read_vtu(path, name) if known == "VTU" else _read_legacy(path, name)
+        if step not in (1, "last", "all"):
+            raise HexlensError(f"{name}: it has one time step, and step {step} was asked for.")
+        return mesh
     raise HexlensError(f"{name}: {format_} is not read here; {' and '.join(_FORMATS.values())} are. This does it: npx hexlens check {path}")
 
 

@@ -1,10 +1,11 @@
 """`repair`: a noisy grid becomes valid, its input stays as it is, threads do not matter, and what is no mesh is refused."""
 
+import json
 from pathlib import Path
 
 import numpy as np
 import pytest
-from conftest import lattice, python
+from conftest import lattice, node, python
 
 import hexlens
 
@@ -58,6 +59,67 @@ def test_boundary_and_choice() -> None:
     assert 0 in freed.held
 
 
+def mirrored(cells: np.ndarray, chosen: np.ndarray) -> np.ndarray:
+    own = cells.copy()
+    own[chosen] = cells[chosen][:, [4, 5, 6, 7, 0, 1, 2, 3]]
+    return own
+
+
+def test_mirrored_cells() -> None:
+    points, cells, _ = noisy(8, 0.2, 7)
+    chosen = np.flatnonzero(np.random.default_rng(7).random(len(cells)) < 0.3)
+    given = mirrored(cells, chosen)
+    plain = hexlens.repair(points, cells, min_relative=0.1)
+    assert len(plain.reversed_cells) == 0
+    kept = hexlens.repair(points, given, min_relative=0.1)
+    assert (kept.cells == given).all()
+    assert (kept.reversed_cells == chosen).all()
+    assert kept.points.tobytes() == plain.points.tobytes()
+    for moved, invalid, below, least in (
+        (points, kept.invalid_before, kept.below_before, kept.least_before),
+        (kept.points, kept.invalid_after, kept.below_after, kept.least_after),
+    ):
+        answers = hexlens.classify(moved, given)
+        assert (invalid, below) == (answers.invalid_count, (answers.relative_min < 0.1).sum())
+        assert least == answers.relative_min.min()
+    assert kept.invalid_after == len(chosen)
+    right = hexlens.repair(points, given, min_relative=0.1, reorder=True)
+    assert (right.cells == cells).all()
+    assert right.invalid_after == hexlens.classify(right.points, right.cells).invalid_count == 0
+    every = hexlens.repair(points, mirrored(cells, np.arange(len(cells))), reorder=True)
+    assert (every.cells == cells).all()
+
+
+def test_certificates() -> None:
+    points, cells, inside = noisy(5, 0.2, 8)
+    done = hexlens.repair(points, cells, min_relative=0.7)
+    reasons = list(done.reasons())
+    assert [reason.point for reason in reasons] == done.held.tolist()
+    certificates = done.certificates()
+    assert len(certificates) == sum(reason.certificate is not None for reason in reasons) > 10
+    hexlens.verify(certificates[:6])
+    for reason in reasons:
+        own = np.flatnonzero((cells == reason.point).any(axis=1))
+        assert reason.cells == tuple(own.tolist())
+        if reason.forbids == "margin":
+            assert reason.bound is not None
+            assert hexlens.classify(done.points, cells).relative_min[own].min() <= reason.bound < 0.7
+    tampered = {**certificates[0], "level": "0"}
+    with pytest.raises(hexlens.HexlensError, match="refused"):
+        hexlens.verify(tampered)
+    # A vertex whose cells are folded by what stays: no place makes them valid.
+    points, cells, inside = noisy(2, 0.0, 9)
+    points[np.flatnonzero(~inside)[-1]] = [-1, -1, -1]
+    (reason,) = hexlens.repair(points, cells).reasons()
+    assert (reason.forbids, reason.bound) == ("valid", None)
+    assert reason.certificate is not None
+    assert reason.certificate["level"] == "0"
+    hexlens.verify(reason.certificate)
+    slid = hexlens.repair(*noisy(4, 0.3, 10)[:2], min_relative=1, slide=True)
+    kinds = {reason.certificate is None for reason in slid.reasons()}
+    assert kinds == {True, False}
+
+
 def test_progress_can_stop() -> None:
     points, cells, _ = noisy(10, 0.3, 4)
     told: list[tuple[int, int]] = []
@@ -86,21 +148,24 @@ def test_refusals() -> None:
         hexlens.repair(points, cells, fixed=[27])
 
 
-def test_command(tmp_path: Path) -> None:
-    points, cells, _ = noisy(6, 0.22, 6)
-    source, target = tmp_path / "in.vtu", tmp_path / "out.vtu"
-
+def text_vtu(points: np.ndarray, cells: np.ndarray) -> str:
     def array(kind: str, name: str, values: np.ndarray) -> str:
         text = " ".join(map(repr, values.ravel().tolist()))
         components = ' NumberOfComponents="3"' if name == "Points" else ""
         return f'<DataArray type="{kind}" Name="{name}"{components} format="ascii">{text}</DataArray>'
 
-    source.write_text(
+    return (
         f'<VTKFile type="UnstructuredGrid"><UnstructuredGrid><Piece NumberOfPoints="{len(points)}" NumberOfCells="{len(cells)}">'
         f"<Points>{array('Float64', 'Points', points)}</Points><Cells>{array('Int32', 'connectivity', cells)}"
         f"{array('Int32', 'offsets', 8 * np.arange(1, len(cells) + 1))}{array('UInt8', 'types', np.full(len(cells), 12))}</Cells>"
         "</Piece></UnstructuredGrid></VTKFile>"
     )
+
+
+def test_command(tmp_path: Path) -> None:
+    points, cells, _ = noisy(6, 0.22, 6)
+    source, target = tmp_path / "in.vtu", tmp_path / "out.vtu"
+    source.write_text(text_vtu(points, cells))
     before = source.read_bytes()
     done = python("repair", str(source), "-o", str(target), "--min-relative", "0.1")
     assert (done.returncode, done.stderr) == (0, "")
@@ -114,3 +179,30 @@ def test_command(tmp_path: Path) -> None:
     assert source.read_bytes() == before
     assert "--slide" in python("repair", "--help").stdout
     assert "required" in python("repair", str(source)).stderr
+    missing = python("repair", str(source), "-o", str(target), "--step", "2")
+    assert (missing.returncode, missing.stderr) == (2, "hexlens: in.vtu: it has one time step, and step 2 was asked for.\n")
+
+
+@pytest.mark.node
+def test_command_is_that_of_node(tmp_path: Path) -> None:
+    points, cells, _ = noisy(5, 0.25, 11)
+    source = tmp_path / "in.vtu"
+    source.write_text(text_vtu(points, mirrored(cells, np.array([3, 40]))))
+    for options in (["--reorder"], ["--slide", "--free-boundary", "0.1"]):
+        said = []
+        for command in (python, node):
+            own = tmp_path / command.__name__
+            own.mkdir(exist_ok=True)
+            words = ["repair", str(source), "-o", "out.vtu", "--min-relative", "0.6", "--certificates", "proofs.json", *options]
+            done = command(*words, cwd=own)
+            order = next(line for line in done.stdout.splitlines() if "mirrored" in line and "Repaired" not in line)
+            said.append((done.returncode, order.split(";")[0], next(line for line in done.stdout.splitlines() if "Repaired" in line)))
+        assert said[0] == said[1]
+        assert said[0][0] == 1
+        proofs = [(tmp_path / command.__name__ / "proofs.json").read_text() for command in (python, node)]
+        assert proofs[0] == proofs[1]
+        entries = json.loads(proofs[0])
+        assert len(entries) > 10
+        hexlens.verify(entries[:2])
+    checks = [python("check", "--json", "out.vtu", cwd=tmp_path / command.__name__).stdout for command in (python, node)]
+    assert checks[0] == checks[1]

@@ -1,5 +1,5 @@
 /* Sweeps of best places: all of a noisy grid repaired, the boundary where it was, in its planes or near, nothing that is touched lowered,
-   the same bits again and with several threads; stops. */
+   the same bits again and with several threads; stops. Cells that are numbered the other way round. */
 #include "check.h"
 #include "hexlens.h"
 #include "random.h"
@@ -257,6 +257,84 @@ static void leaves_what_is_fixed_and_stops(void) {
   CHECK(result.is_stopped && result.place_count >= 3 && seen == result.place_count, "%zu places", result.place_count);
 }
 
+static void exchange_bottom_and_top(int c) {
+  for (int v = 0; v < 4; ++v) {
+    const uint32_t bottom = indices[8 * c + v];
+    indices[8 * c + v] = indices[8 * c + v + 4];
+    indices[8 * c + v + 4] = bottom;
+  }
+}
+
+static void expect_reversed(const hl_cells *cells, const uint8_t expected[CELLS], const char *what) {
+  static uint8_t reversed[CELLS];
+  const size_t room = hl_untangle_room(POINTS, CELLS, 1);
+  void *memory = malloc(room);
+  CHECK(hl_reversed_cells(cells, memory, room, reversed) == HL_OK, "status");
+  free(memory);
+  CHECK(memcmp(reversed, expected, CELLS) == 0, "%s", what);
+}
+
+static void finds_reversed_cells(void) {
+  static uint8_t expected[CELLS];
+  const hl_cells cells = noisy_grid(0.1);
+  memset(expected, 0, sizeof expected);
+  expect_reversed(&cells, expected, "as it is");
+  for (int part = 2; part < 10; part += 3) {
+    noisy_grid(0.1);
+    for (int c = 0; c < CELLS; ++c) {
+      expected[c] = random_unit(&stream) < part / 10.0;
+      if (expected[c]) exchange_bottom_and_top(c);
+    }
+    expect_reversed(&cells, expected, "some");
+  }
+  noisy_grid(0.1);
+  for (int c = 0; c < CELLS; ++c) exchange_bottom_and_top(c);
+  memset(expected, 1, sizeof expected);
+  expect_reversed(&cells, expected, "all");
+  for (int i = 0; i < 3 * POINTS; i += 3) given[i] = -given[i];
+  memset(expected, 0, sizeof expected);
+  expect_reversed(&cells, expected, "all in a mirror");
+  given[3 * (POINTS / 2)] = NAN;
+  expect_reversed(&cells, expected, "not finite");
+}
+
+/* Cells that are inside out because their points lie so are for moves to mend. */
+static void leaves_folded_cells(void) {
+  static uint8_t expected[CELLS];
+  const hl_cells cells = noisy_grid(0);
+  for (int p = 0; p < POINTS; ++p)
+    if (is_inside(p)) given[3 * p] = SIDE - given[3 * p];
+  memset(expected, 0, sizeof expected);
+  CHECK(invalid_count(given) > CELLS / 3, "%zu", invalid_count(given));
+  expect_reversed(&cells, expected, "folded");
+  const int corner = 0, inside = CELLS / 2;
+  exchange_bottom_and_top(corner);
+  exchange_bottom_and_top(inside);
+  /* The cell inside is valid as it is now. */
+  expected[corner] = 1;
+  expect_reversed(&cells, expected, "folded, two reversed");
+}
+
+/* A ring of three cells that is closed with half a turn cannot be numbered alike. */
+static void leaves_what_has_no_way_round(void) {
+  static const uint32_t ring[3][4] = {{0, 1, 2, 3}, {4, 5, 6, 7}, {8, 9, 10, 11}};
+  uint8_t reversed[3];
+  uint32_t own[24];
+  double points[36];
+  for (int i = 0; i < 36; ++i) points[i] = random_normal(&stream);
+  for (int c = 0; c < 3; ++c)
+    for (int v = 0; v < 4; ++v) {
+      own[8 * c + v] = ring[c][v];
+      own[8 * c + v + 4] = ring[(c + 1) % 3][c == 2 ? 3 - v : v];
+    }
+  const hl_cells cells = {points, 36, own, 24};
+  const size_t room = hl_untangle_room(12, 3, 1);
+  void *memory = malloc(room);
+  CHECK(hl_reversed_cells(&cells, memory, room, reversed) == HL_OK, "status");
+  for (int c = 0; c < 3; ++c) CHECK(reversed[c] == 0, "%d", c);
+  free(memory);
+}
+
 static void refuses_what_is_no_mesh(void) {
   hl_cells cells = noisy_grid(0.1);
   const hl_untangling wanted = {.margin = 0};
@@ -279,6 +357,9 @@ int main(void) {
   RUN(threads_do_not_matter);
   RUN(is_the_same_again);
   RUN(leaves_what_is_fixed_and_stops);
+  RUN(finds_reversed_cells);
+  RUN(leaves_folded_cells);
+  RUN(leaves_what_has_no_way_round);
   RUN(refuses_what_is_no_mesh);
   return test_summary();
 }

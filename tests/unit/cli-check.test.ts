@@ -163,6 +163,18 @@ describe('what people read', () => {
     expect((await check([steps, '--step=0'])).errors).toMatch(/--step wants a number from 1 on, last or all, not 0/)
   })
 
+  it('is for a file with one time step or none: the first, the last and all are that one, and another is missing', async () => {
+    fileOf('once.vtu', vtuText([...unitCube]))
+    const set = '<DataSet timestep="0.5" file="once.vtu"/>'
+    const once = fileOf('once.pvd', `<VTKFile type="Collection"><Collection>${set}</Collection></VTKFile>`)
+    for (const file of [allValid, once]) {
+      for (const step of ['1', 'last', 'all']) expect((await check([file, '--step', step])).status).toBe(0)
+      const { status, output } = await check([file, '--step=99'])
+      expect(status).toBe(2)
+      expect(output).toMatch(/\.(?:msh|pvd): it has one time step, and step 99 was asked for\.\n$/)
+    }
+  })
+
   it('is for all time steps, and tells of the first with an invalid cell', async () => {
     const places = [1, 0.8, 0.9, 0.6, 0.3]
     const file = (at: number) => fileOf(`at-${at}.vtu`, vtuText(moved(6, [at, at, at])))
@@ -305,10 +317,10 @@ describe('options', () => {
         status: 0,
         output: expect.stringMatching(/^- \(Gmsh\): 1 hexahedron, VALID/),
       })
-    for (const name of ['none', 'not read yet'])
+    for (const name of ['none', 'not read yet', 'picture', 'link'])
       expect(await check(['-', '--format', name], text)).toMatchObject({
         status: 2,
-        output: expect.stringContaining(`no format “${name}”: VTU, `),
+        output: expect.stringMatching(new RegExp(`no format “${name}”: VTU, (?!.*(?:picture|link|not read yet))`)),
       })
   })
 

@@ -11,8 +11,16 @@ const folder = mkdtempSync(join(tmpdir(), 'hexlens-repair-'))
 afterAll(() => rmSync(folder, { recursive: true }))
 const pathOf = (name: string) => join(folder, name)
 
+interface Varied {
+  readonly boundarySigma?: number
+  /** The order in which the nodes of a cell are listed. */
+  readonly orderOf?: (cell: number) => readonly number[]
+}
+
+const IN_ORDER = [0, 1, 2, 3, 4, 5, 6, 7]
+
 /** A Gmsh file of a noisy grid, with other cells and a comment that nobody reads. */
-function gridFile(name: string, sigma: number, seed: number, boundarySigma = 0): string {
+function gridFile(name: string, sigma: number, seed: number, { boundarySigma = 0, orderOf }: Varied = {}): string {
   const { points, cells } = noisyGrid(6, sigma, seed, boundarySigma)
   const nodes = Array.from(
     { length: points.length / 3 },
@@ -20,7 +28,7 @@ function gridFile(name: string, sigma: number, seed: number, boundarySigma = 0):
   )
   const hexahedra = Array.from(
     { length: cells.length / 8 },
-    (_, c) => `${c + 1} 5 2 0 1 ${[...cells.slice(8 * c, 8 * c + 8)].map(i => i + 1).join(' ')}`,
+    (_, c) => `${c + 1} 5 2 0 1 ${(orderOf?.(c) ?? IN_ORDER).map(v => (cells[8 * c + v] as number) + 1).join(' ')}`,
   )
   const text = `$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Comments\n  as it  was\n$EndComments\n$Nodes\n${nodes.length}\n${nodes.join('\n')}
 $EndNodes\n$Elements\n${hexahedra.length + 1}\n${hexahedra.join('\n')}\n900 15 2 0 1 1\n$EndElements\n`
@@ -94,8 +102,66 @@ describe('repair', () => {
     expect((await run('check', output, '--min-relative=0.7')).status).toBe(1)
   })
 
+  it('repairs mirrored cells as if they were not, and writes them as they were, or exchanges their nodes', async () => {
+    const isMirrored = (cell: number) => cell % 4 === 1
+    const orderOf = (cell: number) => IN_ORDER.map(v => (isMirrored(cell) ? v ^ 4 : v))
+    const mirrored = gridFile('mirrored.msh', 0.25, 1, { orderOf })
+    const { output: plain } = await run('repair', gridFile('plain.msh', 0.25, 1), '-o', pathOf('plain-out.msh'))
+    const kept = await run('repair', mirrored, '-o', pathOf('kept.msh'))
+    const both = /Repaired: .*\n.* points have moved, by .*/
+    expect([kept.status, kept.output.match(both)?.[0]]).toEqual([1, plain.match(both)?.[0]])
+    expect(kept.output).toMatch(
+      /\n {2}31 hexahedra are mirrored, .* written as they were; --reorder writes the hexahedra so, as VTU, VTK, Gmsh or Abaqus\.\n/,
+    )
+    const nodesOf = (name: string) => coordinates(readFileSync(pathOf(name), 'latin1'))
+    expect(nodesOf('kept.msh')).toBe(nodesOf('plain-out.msh'))
+    const { status, output } = await run('repair', mirrored, '-o', pathOf('right.vtu'), '--reorder')
+    expect([status, output.match(both)?.[0]]).toEqual([0, plain.match(both)?.[0]])
+    expect(output).toContain('  31 hexahedra were mirrored: nodes 0 to 3 and 4 to 7 are exchanged.\n')
+    const refused = await run('repair', mirrored, '-o', pathOf('right.dat'), '--reorder')
+    expect([refused.status, refused.errors]).toEqual([
+      2,
+      'hexlens: repair: In this file (Gmsh) the order of nodes cannot be replaced. Name a file that ends in one of .vtu, .vtk, .msh, .inp to write the hexahedra so.\n',
+    ])
+  })
+
+  it('names the vertex of a certificate as the file lists it', async () => {
+    const wanted = ['--min-relative=0.7', '--certificates', pathOf('vertices.json')]
+    const turned = [4, 5, 6, 7, 0, 1, 2, 3]
+    const names = async (...options: string[]) => {
+      const input = gridFile('turned.msh', 0.2, 2, { orderOf: () => turned })
+      await run('repair', input, '-o', pathOf('turned-out.msh'), ...wanted, ...options)
+      return (JSON.parse(readFileSync(pathOf('vertices.json'), 'utf8')) as { name: string }[]).map(({ name }) => name)
+    }
+    const vertexOf = (name = '') => Number(/vertex (\d) of/.exec(name)?.[1])
+    const [listed, reordered] = [await names(), await names('--reorder')]
+    expect(listed.length).toBeGreaterThan(10)
+    expect(listed.map(vertexOf)).toEqual(reordered.map(name => turned[vertexOf(name)]))
+  })
+
+  it('takes the order of all nodes in which all are valid', async () => {
+    const lexicographic = gridFile('lexicographic.msh', 0.02, 5, { orderOf: () => [0, 1, 3, 2, 4, 5, 7, 6] })
+    const kept = await run('repair', lexicographic, '-o', pathOf('order-kept.msh'))
+    expect(kept.status).toBe(1)
+    expect(kept.output).toMatch(/in the order “Lexicographic” .*\n {2}There was nothing else to repair\.\n/)
+    const { status, output } = await run('repair', lexicographic, '-o', pathOf('order.inp'), '--reorder')
+    expect(status).toBe(0)
+    expect(output).toContain('in the order “Lexicographic” (deal.II, DOLFINx, VTK_VOXEL); they are written in that of')
+  })
+
+  it('reads another format with the options of its input, and what it has written without', async () => {
+    const input = gridFile('steps.msh', 0.05, 6)
+    await run('repair', input, '-o', pathOf('steps.vtu'))
+    const sets = [0, 1].map(i => `<DataSet timestep="${i}" file="steps.vtu"/>`).join('')
+    writeFileSync(pathOf('steps.pvd'), `<VTKFile type="Collection"><Collection>${sets}</Collection></VTKFile>`)
+    expect((await run('repair', input, '-o', pathOf('named.vtu'), '--format=Gmsh')).status).toBe(0)
+    expect((await run('repair', pathOf('steps.pvd'), '-o', pathOf('step.msh'), '--step=2')).status).toBe(0)
+    const { status, errors } = await run('repair', pathOf('steps.pvd'), '-o', pathOf('step.msh'), '--step=3')
+    expect([status, errors]).toEqual([2, 'hexlens: steps.pvd: it has 2 time steps, and step 3 was asked for.\n'])
+  })
+
   it('frees the boundary as it is told', async () => {
-    const input = gridFile('boundary.msh', 0.05, 3, 0.35)
+    const input = gridFile('boundary.msh', 0.05, 3, { boundarySigma: 0.35 })
     const left = async (...options: string[]) => {
       await run('repair', input, '-o', pathOf('b.msh'), ...options)
       return Number(/(\d+) INVALID/.exec((await run('check', pathOf('b.msh'))).output)?.[1] ?? 0)
@@ -132,7 +198,9 @@ describe('repair', () => {
     expect(await said(pathOf('missing.msh'), '-o', pathOf('x.msh'))).toContain('missing.msh')
     const text = readFileSync(input, 'latin1').replace(/^8 .*$/m, '8 nan 0 0')
     writeFileSync(pathOf('nan.msh'), text)
-    expect(await said(pathOf('nan.msh'), '-o', pathOf('x.msh'))).toContain('not a finite number')
+    expect(await said(pathOf('nan.msh'), '-o', pathOf('x.msh'))).toContain(
+      'not a finite number. It is one of point 7, counted from 0.',
+    )
     expect(readdirSync(folder).filter(name => !['link.msh', 'nan.msh'].includes(name))).toEqual(before)
   })
 

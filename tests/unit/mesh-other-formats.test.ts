@@ -212,6 +212,8 @@ test('Kratos: the parts of the model are blocks, coordinates have places', () =>
 
 const text = (name: string) => TEXTS[name] as string
 
+const NCDUMP = readFileSync(new URL('../../../shared/pastes/60-ncdump-exodus.cdl', import.meta.url), 'utf8')
+
 test.each<[string, Readonly<Record<string, Content>>, RegExp]>([
   [
     'SU2, a point that is not there',
@@ -254,6 +256,16 @@ test.each<[string, Readonly<Record<string, Content>>, RegExp]>([
     /the version is “1\.2”; versions 2 to 4 are read/,
   ],
   ['FEBio, a cut file', { 'a.feb': text('a.feb').slice(0, 6000) }, /^a\.feb.*cut off/],
+  [
+    'ncdump, a node that is infinite',
+    { 'a.cdl': NCDUMP.replace('1, 2, 3', '1, -inf, 3') },
+    /^a\.cdl.*: element 1 names what is no whole number; the nodes are 1 to 8\.$/,
+  ],
+  [
+    'ncdump, a gap among the ids',
+    { 'a.cdl': NCDUMP.replace('connect1 =', 'elem_num_map = _ ;\n connect1 =') },
+    /^a\.cdl.*: the numbers of its elements are no whole numbers\.$/,
+  ],
   [
     'UGRID, a cut file',
     { 'a.ugrid': text('a.ugrid').slice(0, -40) },

@@ -6,6 +6,7 @@ import { Hdf5Needed } from '../../web/mesh/hdf5-reader'
 import { type Mesh, MeshRefusal } from '../../web/mesh/mesh'
 import { readMeshes } from '../../web/mesh/read-mesh'
 import { fileOfBytes, type MeshFile } from '../../web/mesh/source'
+import { fittingOf } from '../../web/outputs/columns'
 import { asStored, movedFile, whyNotInPlace } from '../../web/outputs/moved-file'
 import { randomSource } from './core-fixtures'
 import { exodusOf, TEXTS, ugridOfBytes } from './other-formats'
@@ -108,6 +109,45 @@ describe.each(inPlace.map(({ file, mesh }) => [file.name, file, mesh] as const))
     expect(written(file, mesh, points.slice())).toEqual(before)
   })
 })
+
+const inColumns = inPlace.filter(({ mesh }) => fittingOf(mesh.format, () => {}) !== null)
+
+test('formats with fields of fixed columns', () => {
+  expect([...new Set(inColumns.map(({ mesh }) => mesh.format))].sort()).toEqual([
+    'Ansys',
+    'LS-DYNA',
+    'Nastran',
+    'Radioss',
+    'UNV',
+  ])
+})
+
+test.each(inColumns.map(({ file, mesh }) => [file.name, file, mesh] as const))(
+  '%s: numbers are rounded into their fields, and nothing else changes',
+  (_, file, mesh) => {
+    const next = randomSource(29)
+    const values = [
+      () => (mesh.points[Math.floor(next() * mesh.points.length)] as number) + next() / 7,
+      () => (next() - 0.5) * 10 ** Math.floor(20 * next() - 10),
+      () => Math.round(next()),
+    ]
+    const moved = mesh.points.map((own, i) => (i % 7 < 3 ? (values[i % 3] as () => number)() : own))
+    let most = 0
+    const fitting = fittingOf(mesh.format, off => {
+      most = Math.max(most, off)
+    })
+    const bytes = new Uint8Array(Buffer.concat([...movedFile(file, mesh, moved, fitting)]))
+    const again = readMeshes(fileOfBytes(file.name, bytes))[0] as Mesh
+    expect([again.cells, again.ids, again.other]).toEqual([mesh.cells, mesh.ids, mesh.other])
+    const off = again.points.map((x, i) => Math.abs(x - (moved[i] as number)))
+    expect(Math.max(...off)).toBe(most)
+    for (const [i, own] of off.entries()) {
+      if (Object.is(moved[i], mesh.points[i])) expect(own).toBe(0)
+      // Eight characters have a sign, a point, a sign and two digits of an exponent, and three digits.
+      expect(own).toBeLessThanOrEqual(0.005 * Math.abs(moved[i] as number))
+    }
+  },
+)
 
 /** Lengths of the common beginning, and of the common end beside it. */
 function commonParts(a: Uint8Array, b: Uint8Array): [number, number] {

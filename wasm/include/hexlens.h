@@ -399,6 +399,12 @@ size_t hl_untangle_room(size_t point_count, size_t cell_count, size_t thread_cou
    indices; `memory` is as for hl_untangle with one thread. */
 hl_status hl_boundary_points(const hl_cells *cells, void *memory, size_t room, uint8_t *boundary);
 
+/* 1 for each cell whose nodes are numbered the other way round than is meant, else 0; `reversed` has one entry a cell. With nodes 0 to 3
+   exchanged with 4 to 7 all cells that hang together by faces are numbered alike, and have a positive volume together. Only cells with a
+   negative volume are marked, and none where numbering alike is not possible: docs/repair.md (R18). `memory` is as for
+   hl_boundary_points. */
+hl_status hl_reversed_cells(const hl_cells *cells, void *memory, size_t room, uint8_t *reversed);
+
 /* Moves the points of cells with indices; `points` gets all coordinates, those of moved points new. The same bits for the same input on
    every machine and with any number of threads. `memory` is aligned for doubles and of hl_untangle_room bytes. A coordinate that is not
    finite is HL_NOT_FINITE. */

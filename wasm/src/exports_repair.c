@@ -28,6 +28,14 @@ EXPORT(untangle_room) size_t untangle_room(size_t point_count, size_t cell_count
   return hl_untangle_room(point_count, cell_count, 1);
 }
 
+/* Returns an hl_status. */
+EXPORT(reversed_cells)
+int reversed_cells(const double *coordinates, size_t coordinate_count, const uint32_t *indices, size_t index_count,
+                   void *memory, size_t room, uint8_t *reversed) {
+  const hl_cells cells = {coordinates, coordinate_count, indices, index_count};
+  return (int)hl_reversed_cells(&cells, memory, room, reversed);
+}
+
 /* Returns an hl_status. All lists stay where they are until the untangling has ended; one at a time. */
 EXPORT(begin_untangle)
 int begin_untangle(const double *coordinates, size_t coordinate_count, const uint32_t *indices, size_t index_count,

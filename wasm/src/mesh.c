@@ -48,7 +48,7 @@ void face_points(const uint32_t *cell, int face, uint32_t points[4]) {
     if (vertex_reference[v][face_table[face].axis] == face_table[face].side) points[n++] = cell[v];
 }
 
-static bool has_all(const uint32_t *cell, const uint32_t points[4]) {
+bool has_points(const uint32_t *cell, const uint32_t points[4]) {
   for (int i = 0; i < 4; ++i) {
     bool is_found = false;
     for (int v = 0; v < HL_VERTICES; ++v) is_found = is_found || cell[v] == points[i];
@@ -60,7 +60,7 @@ static bool has_all(const uint32_t *cell, const uint32_t points[4]) {
 int cells_beyond(const mesh *m, size_t c, const uint32_t points[4]) {
   int others = 0;
   for (uint32_t i = m->first[points[0]]; i < m->first[points[0] + 1]; ++i)
-    others += m->around[i] != c && has_all(m->indices + HL_VERTICES * (size_t)m->around[i], points);
+    others += m->around[i] != c && has_points(m->indices + HL_VERTICES * (size_t)m->around[i], points);
   return others;
 }
 

@@ -24,6 +24,9 @@ void mark_boundary(const mesh *m, uint8_t *boundary);
 /* The vertices of a face in no order that matters. */
 void face_points(const uint32_t *cell, int face, uint32_t points[4]);
 
+/* True if the cell has all four points. */
+bool has_points(const uint32_t *cell, const uint32_t points[4]);
+
 /* How many other cells have all points of a face of cell c. */
 int cells_beyond(const mesh *m, size_t c, const uint32_t points[4]);
 

@@ -2,6 +2,7 @@
 #include "untangle.h"
 #include "bernstein.h"
 #include "report.h"
+#include "reversed.h"
 #include "scaling.h"
 #include "slide.h"
 
@@ -93,6 +94,14 @@ hl_status hl_boundary_points(const hl_cells *cells, void *memory, size_t room, u
   lists l;
   const hl_status status = open_mesh(cells, memory, room, 1, &m, &l);
   if (status == HL_OK) mark_boundary(&m, boundary);
+  return status;
+}
+
+hl_status hl_reversed_cells(const hl_cells *cells, void *memory, size_t room, uint8_t *reversed) {
+  mesh m;
+  lists l;
+  const hl_status status = open_mesh(cells, memory, room, 1, &m, &l);
+  if (status == HL_OK) find_reversed(&m, cells->coordinates, l.values, l.cell_levels, reversed);
   return status;
 }
 

@@ -4,6 +4,8 @@ import { type Hdf5Loading, LOADING } from '../mesh/hdf5-reader'
 import { joined } from '../mesh/join-meshes'
 import { type Mesh, MeshRefusal } from '../mesh/mesh'
 import { readMeshes } from '../mesh/read-mesh'
+import { shownFileName } from '../mesh/shown'
+import { missingStep } from '../mesh/step-note'
 import type { OpenFile } from './mesh-file'
 import type { ProgressLine } from './progress'
 
@@ -23,11 +25,16 @@ export async function meshIn(
 ): Promise<Mesh> {
   const onProgress = (fraction: number) => progress.show(`${name}: reading`, fraction)
   const options = { find, onProgress, step, core: readingCore, ...(format === null ? {} : { format }) }
-  const [first, ...others] = await hdf5.reading(
+  const meshes = await hdf5.reading(
     reader => readMeshes(file, { ...options, hdf5: reader }),
     () => progress.show(LOADING, 0),
   )
+  const [first, ...others] = meshes
   if (!first) throw new MeshRefusal(`${name}: there is no mesh in it.`)
+  // Formats without steps, and files of the others that have none, leave the step to their caller.
+  const stepCount = Math.max(1, ...meshes.map(({ steps }) => steps.length))
+  if (step !== 'last' && step >= stepCount)
+    throw new MeshRefusal(`${shownFileName(file.name)}: ${missingStep(stepCount, step)}`)
   return joined([first, ...others])
 }
 

@@ -9,6 +9,8 @@ export interface RepairArguments {
   /** Boundary points move so far at most; null: they stay. */
   readonly freeBoundary: number | null
   readonly slides: boolean
+  /** Nodes that are listed in another order than was meant are written in that one. */
+  readonly reorders: boolean
   /** The file for the certificates of what holds the rest. */
   readonly certificates: string | null
   readonly format: string | null
@@ -29,6 +31,7 @@ const options = new Map<string, Option<Values>>([
   ['--min-relative', { value: 'a number from 0 to 1', read: text => ({ minRelative: readRelative(text) }) }],
   ['--free-boundary', { value: 'a distance', read: text => ({ freeBoundary: readDistance(text) }) }],
   ['--slide', flag(() => ({ slides: true }))],
+  ['--reorder', flag(() => ({ reorders: true }))],
   ['--certificates', { value: 'a file', read: certificates => ({ certificates }) }],
   ['--format', { value: 'the name of a format', read: format => ({ format }) }],
   ['--step', { value: 'a number from 1 on or last', read: text => ({ step: stepOf(REPAIR, text) }) }],
@@ -39,6 +42,7 @@ const NOTHING: Omit<Values, 'output'> = {
   minRelative: null,
   freeBoundary: null,
   slides: false,
+  reorders: false,
   certificates: null,
   format: null,
   step: 0,

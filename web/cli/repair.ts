@@ -6,16 +6,18 @@ import { type CheckOptions, checkMesh, type ExitStatus, exitOf } from '../mesh/c
 import type { Mesh } from '../mesh/mesh'
 import type { MeshCheck } from '../mesh/mesh-check'
 import { Refusal } from '../model/result'
+import { fittingOf } from '../outputs/columns'
 import { writeHeldCertificates } from '../outputs/held-certificates'
 import { MESH_FORMS } from '../outputs/meshes/list'
 import type { MeshForm } from '../outputs/meshes/mesh-form'
 import { MESH_ENDINGS, meshOutput } from '../outputs/meshes/mesh-output'
 import { movedFile, whyNotInPlace } from '../outputs/moved-file'
 import { withoutControls } from '../outputs/output'
-import { type Repaired, repairLines } from '../outputs/repair-text'
+import { type MeantOrder, type Repaired, repairLines } from '../outputs/repair-text'
 import { textOutput } from '../outputs/text'
 import { type CellClassifier, startCellClassifier } from './classify-cells'
 import type { Engine } from './engine'
+import { meantOrderOf } from './meant-order'
 import { type OpenFile, openMeshFile, realPath } from './mesh-file'
 import { isAboutMemory, meshIn } from './mesh-in'
 import { ProgressLine } from './progress'
@@ -69,24 +71,36 @@ async function repaired(work: Work, sink: FileSink, proofs: FileSink | null): Pr
   const open = await openMeshFile(input, streams.input)
   try {
     const mesh = await meshOf(open, input, work)
-    const form = formFor(mesh, wanted)
-    const result = await untangled(mesh, work)
+    const meantOrder = await orderOf(mesh, work)
+    const isReordered = meantOrder !== null && wanted.reorders
+    const form = formFor(mesh, wanted, isReordered)
+    const meant = meantOrder ? { ...mesh, cells: meantOrder.cells } : mesh
+    const result = await untangled(meant, work)
+    const written = isReordered ? meant : mesh
+    let mostRounded = 0
+    const fit = fittingOf(mesh.format, off => {
+      mostRounded = Math.max(mostRounded, off)
+    })
     const chunks = form
-      ? await writtenAs(form, { ...mesh, points: result.points }, work)
-      : movedFile(open.file, mesh, result.points)
+      ? await writtenAs(form, { ...written, points: result.points }, work)
+      : movedFile(open.file, mesh, result.points, fit)
     for (const chunk of chunks) sink.write(chunk)
     sink.close()
-    const check = await checkOfWritten(work)
+    const check = await checkOfWritten(work, form)
     const exit = exitOf(check, wanted)
     const margin = minRelative ?? 0
-    const reason = reasonsOf(await engine.repairCore(), mesh, result, margin)
-    const certificates = proofs && writtenCertificates(proofs, mesh, result, reason, work)
+    const reason = reasonsOf(await engine.repairCore(), meant, result, margin)
+    const certificates = proofs && writtenCertificates(proofs, written, result, reason, work)
     const { format } = mesh
     progress.clear()
     for (const line of repairLines({
       result,
+      meantOrder,
+      isReordered,
+      mostRounded,
       reason,
       margin,
+      isBoundaryFixed: !wanted.slides && !wanted.freeBoundary,
       input,
       output,
       format,
@@ -102,17 +116,27 @@ async function repaired(work: Work, sink: FileSink, proofs: FileSink | null): Pr
   }
 }
 
-async function meshOf(open: OpenFile, path: string, { wanted, engine, progress }: Work): Promise<Mesh> {
-  const { format, step } = wanted
+async function meshOf(
+  open: OpenFile,
+  path: string,
+  { wanted, engine, progress }: Work,
+  { format, step }: Pick<RepairArguments, 'format' | 'step'> = wanted,
+): Promise<Mesh> {
   const readingCore = await engine.readingCore()
   return meshIn(open, withoutControls(path), { format, step, readingCore, hdf5: engine.hdf5, progress })
 }
 
+async function orderOf(mesh: Mesh, work: Work): Promise<MeantOrder | null> {
+  const { engine, cells } = work
+  const [core, repairCore] = await Promise.all([engine.core(), engine.repairCore()])
+  return meantOrderOf(await checkOf(mesh, work), { core, repairCore, classify: cells.classify })
+}
+
 /** Null if the file is written as it was but for coordinates, else how its hexahedra are. Throws a Refusal if neither is meant and possible. */
-function formFor(mesh: Mesh, { input, output }: RepairArguments): MeshForm | null {
+function formFor(mesh: Mesh, { input, output }: RepairArguments, isReordered: boolean): MeshForm | null {
   const ending = endingOf(output)
   const form = MESH_FORMS.find(({ id }) => id === ending) ?? null
-  const why = whyNotInPlace(mesh)
+  const why = isReordered ? `In this file (${mesh.format}) the order of nodes cannot be replaced.` : whyNotInPlace(mesh)
   const isSameFormat = ending === endingOf(input) || form?.name.split(' ')[0] === mesh.format
   if (why === null && (form === null || isSameFormat)) return null
   if (form === null)
@@ -131,16 +155,15 @@ async function untangled(mesh: Mesh, { wanted, engine, progress }: Work): Promis
   const result = await untangle(await engine.repairCore(), mesh, options, ({ belowBefore, belowAfter }) =>
     progress.show(`${name}: repairing`, 1 - belowAfter / Math.max(belowBefore, 1)),
   )
-  if (!result.ok) throw new Refusal(`${name}: ${result.error.message}`)
-  return result.value
+  if (result.ok) return result.value
+  const at = mesh.points.findIndex(x => !Number.isFinite(x))
+  const which = result.error.code === 'not-finite' ? ` It is one of point ${Math.floor(at / 3)}, counted from 0.` : ''
+  throw new Refusal(`${name}: ${result.error.message}${which}`)
 }
 
 async function writtenAs(form: MeshForm, mesh: Mesh, work: Work): Promise<Iterable<string | Uint8Array>> {
   const { errors } = work.streams
-  const output = meshOutput(form, sentence =>
-    errors.write(`${sentence}
-`),
-  )
+  const output = meshOutput(form, sentence => errors.write(`hexlens: ${sentence}\n`))
   const check = await checkOf(mesh, work, output.lists)
   return output.file({ file: work.wanted.output, exit: exitOf(check, work.wanted), check })
 }
@@ -148,7 +171,7 @@ async function writtenAs(form: MeshForm, mesh: Mesh, work: Work): Promise<Iterab
 /** Their file, and how many are in it. */
 function writtenCertificates(
   sink: FileSink,
-  { ids }: Mesh,
+  { ids, cells }: Mesh,
   { heldPoints }: Untangled,
   reason: (held: number) => Reason,
   { wanted, progress }: Work,
@@ -157,7 +180,10 @@ function writtenCertificates(
   function* reasons() {
     for (const held of heldPoints.keys()) {
       progress.show(`${withoutControls(file)}: proving`, held / heldPoints.length)
-      yield reason(held)
+      const own = reason(held)
+      // The cell may be listed in another order than it is repaired in.
+      const first = own.cells[0] as number
+      yield { ...own, vertex: cells.subarray(8 * first, 8 * first + 8).indexOf(own.point) }
     }
   }
   const named = { indexOf: (point: number) => point, nameOf: (cell: number) => String(ids?.[cell] ?? cell) }
@@ -167,10 +193,12 @@ function writtenCertificates(
 }
 
 /** What was written is read again: a file may have no room for all digits of the points. */
-async function checkOfWritten(work: Work): Promise<MeshCheck> {
-  const open = await openMeshFile(work.wanted.output, work.streams.input)
+async function checkOfWritten(work: Work, form: MeshForm | null): Promise<MeshCheck> {
+  const { wanted, streams } = work
+  const open = await openMeshFile(wanted.output, streams.input)
   try {
-    return await checkOf(await meshOf(open, work.wanted.output, work), work)
+    const reading = form ? { format: null, step: 0 } : wanted
+    return await checkOf(await meshOf(open, wanted.output, work, reading), work)
   } finally {
     open.close()
   }

@@ -71,6 +71,8 @@ option frees it. It knows no geometry but what stays, and a mesh whose topology 
   --slide              vertices on planar parts of the boundary move in their plane, those on a straight edge of it along it
   --free-boundary D    vertices of the boundary move by D at most, in the unit of the coordinates; with --slide only in their
                        planes where they have one
+  --reorder            where nodes are listed in another order than was meant, as in mirrored cells, writes them in that one: the
+                       hexahedra alone, as VTU, VTK, Gmsh or Abaqus. Without, a sentence says so, and the order stays
   --certificates FILE  writes for each vertex that holds what is left the proof that no place of it helps, as a JSON list that
                        tests/certificates/check_certificates.py checks: docs/certificates.md, section 5
   --format NAME        the file is in this format, whatever it looks like

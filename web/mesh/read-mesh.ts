@@ -2,6 +2,8 @@
 import { foamCaseOf } from './foam-case'
 import { formats } from './formats'
 import { namedFor } from './formats/hdf5'
+import { link } from './formats/link'
+import { picture } from './formats/picture'
 import { refused } from './formats/refused'
 import { gunzipped, gunzippedHead, isGzip } from './gzip'
 import { type Mesh, MeshRefusal } from './mesh'
@@ -182,8 +184,11 @@ function headOf(file: MeshFile): Uint8Array {
   return file.read(0, Math.min(HEAD, file.size))
 }
 
+/** Not among the names that people may give: no formats of meshes. */
+const UNNAMED: readonly MeshFormat[] = [picture, link, refused]
+
 function formatNamed(wanted: string): MeshFormat {
-  const read = formats.filter(format => format !== refused)
+  const read = formats.filter(format => !UNNAMED.includes(format))
   const found = read.find(({ name }) => name.toLowerCase() === wanted.toLowerCase())
   if (found) return found
   throw new MeshRefusal(`There is no format ${shown(wanted)}: ${read.map(({ name }) => name).join(', ')}.`)

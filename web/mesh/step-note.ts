@@ -12,3 +12,9 @@ export function stepNote(times: readonly string[], step: number | 'last'): strin
 export function sameMeshNote(count: number): string {
   return `The mesh is the same at all ${count} time steps of the file.`
 }
+
+/** Why a step cannot be read, for people; a file that has no steps counts as one with one. */
+export function missingStep(count: number, step: number | 'last'): string {
+  const has = count === 1 ? 'one time step' : `${count} time steps`
+  return `it has ${has}, and ${step === 'last' ? 'the last' : `step ${step + 1}`} was asked for.`
+}

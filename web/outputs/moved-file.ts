@@ -12,6 +12,23 @@ const CHUNK = 1024 * 1024
 /** Formats with fields of fixed columns: a number there may not be longer than the one that it replaces, and has a decimal point. */
 const IN_COLUMNS: ReadonlySet<string> = new Set(['Nastran', 'Ansys', 'LS-DYNA', 'UNV', 'Radioss'])
 
+/** A line of text, and where in it a number is. */
+export interface Line {
+  readonly text: string
+  readonly from: number
+  readonly to: number
+}
+
+/** What takes the place of these characters of a line. */
+export interface Fitted {
+  readonly from: number
+  readonly to: number
+  readonly text: string
+}
+
+/** Puts a number into its field of fixed columns; null where that is not possible. */
+export type FitNumber = (line: Line, value: number) => Fitted | null
+
 /** Why there is no such file; null if there is one. */
 export function whyNotInPlace({ format, coordinatePlaces, points }: Mesh): string | null {
   if (coordinatePlaces === null || countOf(coordinatePlaces, points.length) !== points.length)
@@ -30,9 +47,14 @@ export function asStored({ points, coordinatePlaces }: Mesh, moved: Float64Array
 
 /**
  * The bytes of the file from which `mesh` was read, with all coordinates of `moved` that are not those of the mesh. Throws a Refusal where
- * `whyNotInPlace` has a reason, a number does not fit in, or the file is another one by now.
+ * `whyNotInPlace` has a reason, a number does not fit in, by `fitting` if that is given, or the file is another one by now.
  */
-export function* movedFile(whole: MeshFile, mesh: Mesh, moved: Float64Array): Generator<Uint8Array<ArrayBuffer>> {
+export function* movedFile(
+  whole: MeshFile,
+  mesh: Mesh,
+  moved: Float64Array,
+  fitting: FitNumber | null = null,
+): Generator<Uint8Array<ArrayBuffer>> {
   const file = inChunks(whole)
   const { points, format, coordinatePlaces: places } = mesh
   const why = whyNotInPlace(mesh)
@@ -40,11 +62,36 @@ export function* movedFile(whole: MeshFile, mesh: Mesh, moved: Float64Array): Ge
   const write = places.kind === 'block' || places.kind === 'blocks' ? binaryWriter(places) : textWriter(format)
   let done = 0
   for (const { coordinate, from, length } of spansOf(file, places, changed(points, moved))) {
-    yield* copied(file, done, from)
-    yield write(file.read(from, from + length), points[coordinate] as number, moved[coordinate] as number)
-    done = from + length
+    const own = file.read(from, from + length)
+    const [before, after] = [points[coordinate] as number, moved[coordinate] as number]
+    const line = fitting && lineAround(file, from, length)
+    const fitted = line && fitting(line, after)
+    if (fitted) {
+      refuseOther(latin1.decode(own), before)
+      const lineFrom = from - line.from
+      yield* copied(file, done, lineFrom + fitted.from)
+      yield new TextEncoder().encode(fitted.text)
+      done = lineFrom + fitted.to
+    } else {
+      yield* copied(file, done, from)
+      yield write(own, before, after)
+      done = from + length
+    }
   }
   yield* copied(file, done, file.size)
+}
+
+/** Fields of fixed columns are in the first 80 bytes of a line, wide ones in some 200. */
+const LONGEST_LINE = 512
+
+/** Null for a line that is longer. */
+function lineAround(file: MeshFile, from: number, length: number): Line | null {
+  const first = Math.max(0, from - LONGEST_LINE)
+  const text = latin1.decode(file.read(first, Math.min(file.size, from + length + LONGEST_LINE)))
+  const begin = text.lastIndexOf('\n', from - first) + 1
+  if (begin === 0 && first > 0) return null
+  const own = { from: from - first - begin, to: from - first - begin + length }
+  return { text: text.slice(begin).split(/[\r\n]/)[0] as string, ...own }
 }
 
 /** The same file, read in chunks: a call for each number would take long. */
@@ -160,6 +207,8 @@ function* spansInRun(
   if (next < coordinates.length) throw new Refusal(OTHER_FILE)
 }
 
+const latin1 = new TextDecoder('latin1')
+
 const OTHER_FILE = 'The file is another one than when it was read: open it again.'
 
 function* copied(file: MeshFile, from: number, to: number): Generator<Uint8Array<ArrayBuffer>> {
@@ -195,10 +244,10 @@ function binaryWriter(places: Binary): Writer {
 
 function textWriter(format: string): Writer {
   const isInColumns = IN_COLUMNS.has(format)
-  const [encoder, decoder] = [new TextEncoder(), new TextDecoder('latin1')]
+  const encoder = new TextEncoder()
   return (own, before, after) => {
-    const present = decoder.decode(own)
-    if (doubleOf(present) !== before) throw new Refusal(OTHER_FILE)
+    const present = latin1.decode(own)
+    refuseOther(present, before)
     const shortest = isInColumns ? withPoint(numberText(after)) : numberText(after)
     if (isInColumns && shortest.length > own.length)
       throw new Refusal(
@@ -206,6 +255,10 @@ function textWriter(format: string): Writer {
       )
     return encoder.encode(isInColumns ? shortest.padStart(own.length) : shortest)
   }
+}
+
+function refuseOther(present: string, before: number): void {
+  if (doubleOf(present) !== before) throw new Refusal(OTHER_FILE)
 }
 
 /** JavaScript writes the shortest number that reads back the same, but for the sign of zero. */

@@ -35,7 +35,8 @@ function inOrder(mesh: Mesh, order: NodeOrder): Mesh {
   return { ...mesh, cells: permuted(mesh, order), isOrderStated: true, notes: [...mesh.notes, note] }
 }
 
-function exchangeBottomAndTop(cells: Uint32Array, at: number): void {
+/** Nodes 0 to 3 with 4 to 7, of the cell whose list begins there. */
+export function exchangeBottomAndTop(cells: Uint32Array, at: number): void {
   const bottom = cells.slice(at, at + 4)
   cells.copyWithin(at, at + 4, at + 8)
   cells.set(bottom, at + 4)

@@ -60,4 +60,6 @@ export interface RepairCore {
   bestPlace(star: Star): Result<BestPlace, StarError>
   /** Begins sweeps of best places over a mesh, which are done by steps: untangle.ts does them. */
   untangling(mesh: PointMesh, options: UntangleOptions): Promise<Result<Untangling, UntangleError>>
+  /** 1 for each cell whose nodes are numbered the other way round than is meant, by hl_reversed_cells; the mesh is one that untangles. */
+  reversedCells(mesh: PointMesh): Promise<Uint8Array>
 }

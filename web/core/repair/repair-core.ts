@@ -4,7 +4,7 @@ import { type CodedError, type Result, refused } from '../../model/result'
 import { Unpacker } from '../unpack'
 import type { BestPlace, Hold, Measure, RepairCore, Star, StarError } from './best-place'
 import type { Limits } from './limits'
-import { beginUntangling } from './untangling-core'
+import { beginUntangling, reversedCells } from './untangling-core'
 
 interface RepairExports {
   readonly memory: WebAssembly.Memory
@@ -112,7 +112,11 @@ export async function loadRepairCore(bytes: BufferSource): Promise<RepairCore> {
     return { ok: false, error }
   }
 
-  return { bestPlace, untangling: (mesh, options) => beginUntangling(module, mesh, options) }
+  return {
+    bestPlace,
+    untangling: (mesh, options) => beginUntangling(module, mesh, options),
+    reversedCells: mesh => reversedCells(module, mesh),
+  }
 }
 
 function listsOf(star: Star): Result<Lists, CodedError<'wrong-count' | 'no-such-point' | 'nothing-moves'>> {

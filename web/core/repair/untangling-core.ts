@@ -27,6 +27,15 @@ interface UntangleExports {
   step_untangle(): number
   end_untangle(held: number): void
   untangled_limits(point: number): number
+  reversed_cells(
+    coordinates: number,
+    coordinateCount: number,
+    indices: number,
+    indexCount: number,
+    memory: number,
+    room: number,
+    reversed: number,
+  ): number
 }
 
 /** Statuses of hexlens.h. */
@@ -48,8 +57,7 @@ export async function beginUntangling(
 ): Promise<Result<Untangling, UntangleError>> {
   const problem = problemOf(mesh, options)
   if (problem) return { ok: false, error: problem }
-  const wasm = (await WebAssembly.instantiate(module, {})).exports as unknown as UntangleExports
-  wasm._initialize?.()
+  const wasm = await instanceOf(module)
   const { points, cells } = mesh
   const moves = options.moves ?? null
   const pointCount = points.length / 3
@@ -93,6 +101,27 @@ export async function beginUntangling(
     }
   }
   return { ok: true, value: { step: () => wasm.step_untangle() !== 0, progress: counts, end } }
+}
+
+/** Throws for what is no mesh. */
+export async function reversedCells(module: WebAssembly.Module, { points, cells }: PointMesh): Promise<Uint8Array> {
+  const wasm = await instanceOf(module)
+  const cellCount = cells.length / VERTEX_COUNT
+  const room = wasm.untangle_room(points.length / 3, cellCount)
+  const addresses = reserve(wasm.memory, [points.byteLength, cells.byteLength, cellCount, room])
+  const [atPoints, atCells, atReversed, atRoom] = addresses as [number, number, number, number]
+  const { buffer } = wasm.memory
+  new Float64Array(buffer, atPoints, points.length).set(points)
+  new Uint32Array(buffer, atCells, cells.length).set(cells)
+  const status = wasm.reversed_cells(atPoints, points.length, atCells, cells.length, atRoom, room, atReversed)
+  if (status !== HL_OK) throw new Error(`The core answered with the status ${status}.`)
+  return new Uint8Array(buffer, atReversed, cellCount).slice()
+}
+
+async function instanceOf(module: WebAssembly.Module): Promise<UntangleExports> {
+  const wasm = (await WebAssembly.instantiate(module, {})).exports as unknown as UntangleExports
+  wasm._initialize?.()
+  return wasm
 }
 
 function problemOf(

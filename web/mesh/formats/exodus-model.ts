@@ -7,7 +7,7 @@ import type { Mesh } from '../mesh'
 import { MeshBuilder, type OtherCell } from '../mesh-builder'
 import { float32Note, largestOf } from '../precision'
 import type { MeshFile, ReadOptions } from '../source'
-import { sameMeshNote, stepNote } from '../step-note'
+import { missingStep, sameMeshNote, stepNote } from '../step-note'
 import { shown } from '../text-cursor'
 import { Displacements } from './exodus-displacements'
 import { lengthOf, type Variable, type Variables } from './netcdf-variables'
@@ -245,7 +245,7 @@ class ExodusReader {
     if (count === 0) return null
     const { step } = this.#options
     const at = step === 'last' ? count - 1 : step
-    if (at >= count) builder.refuse(`it has ${count} time steps, and step ${at + 1} was asked for.`)
+    if (at >= count) builder.refuse(missingStep(count, step))
     const moved = Displacements.of(this.#variables, { step: at, count }, what => builder.refuse(what))
     builder.steps = Array.from(times, String)
     builder.isSteady = moved === null

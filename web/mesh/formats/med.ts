@@ -8,7 +8,7 @@ import { MeshBuilder } from '../mesh-builder'
 import { float32Note, largestOf } from '../precision'
 import { shown } from '../shown'
 import type { MeshFile, ReadOptions } from '../source'
-import { stepNote } from '../step-note'
+import { missingStep, stepNote } from '../step-note'
 import { wordTable } from '../word-table'
 import { addRows, type RowType } from './node-rows'
 
@@ -103,7 +103,7 @@ class MedReader {
     const { step } = this.#options
     const at = step === 'last' ? steps.length - 1 : step
     const own = steps[at]
-    if (own === undefined) hdf5.refuse(`it has ${steps.length} time steps, and step ${at + 1} was asked for.`)
+    if (own === undefined) hdf5.refuse(missingStep(steps.length, step))
     const times = steps.map(name => String(hdf5.numberAttribute(within(this.#path, name), 'PDT') ?? name))
     if (steps.length > 1) {
       this.#builder.steps = times

@@ -34,6 +34,7 @@ export const ncdump: MeshFormat = {
     const points = pointsOf(lists, builder)
     for (const [x, y, z] of points) builder.point(x, y, z)
     const ids = lists.get('elem_num_map') ?? lists.get('elem_map')
+    if (ids?.some(id => !Number.isInteger(id))) builder.refuse('the numbers of its elements are no whole numbers.')
     let element = 0
     for (const [name, nodes] of lists) {
       const block = /^connect(\d{1,6})$/.exec(name)?.[1]
@@ -44,10 +45,13 @@ export const ncdump: MeshFormat = {
         builder.refuse(`the ${nodes.length} numbers of ${name} are no cells of ${size} nodes.`)
       for (let at = 0; at < nodes.length; at += size, element++) {
         const corners = nodes.slice(at, at + 8).map(node => {
-          if (!Number.isInteger(node) || node < 1 || node > points.length)
+          if (!Number.isInteger(node) || node < 1 || node > points.length) {
+            // Gaps and infinities of the file have no name in a sentence.
+            const what = Number.isInteger(node) ? `node ${node}` : 'what is no whole number'
             builder.refuse(
-              `element ${ids?.[element] ?? element + 1} names node ${node}; the nodes are 1 to ${points.length}.`,
+              `element ${ids?.[element] ?? element + 1} names ${what}; the nodes are 1 to ${points.length}.`,
             )
+          }
           return node - 1
         })
         if (!/^HEX/i.test(type)) builder.otherCell(OTHER.find(([pattern]) => pattern.test(type))?.[1] ?? 'other')

@@ -6,6 +6,7 @@ import { type Hdf5Dataset, type Hdf5File, within } from '../hdf5/hdf5-file'
 import type { Mesh } from '../mesh'
 import { shown } from '../shown'
 import type { MeshFile, ReadOptions } from '../source'
+import { missingStep } from '../step-note'
 import { type CellData, cellDataOf, cellDataRank } from './vtk-cell-data'
 import { firstFall, VtkMesh } from './vtk-mesh'
 import { precisionOf } from './vtk-middles'
@@ -172,8 +173,7 @@ class GridReader {
     const times = hdf5.dataset(steps, 'Values').all(Float64Array)
     const { step } = this.#options
     const at = step === 'last' ? times.length - 1 : step
-    if (at < 0 || at >= times.length)
-      hdf5.refuse(`it has ${times.length} time steps, and step ${at + 1} was asked for.`)
+    if (at < 0 || at >= times.length) hdf5.refuse(missingStep(times.length, step))
     const mesh: VtkMesh = this.#mesh
     const values = Array.from(times, String)
     if (mesh.steps.length === 0) {

@@ -5,6 +5,7 @@
 import type { Mesh } from '../mesh'
 import { headText } from '../snippet-text'
 import type { MeshFile, MeshFormat, ReadOptions } from '../source'
+import { missingStep } from '../step-note'
 import { shown } from '../text-cursor'
 import { XmlScanner } from '../xml-scanner'
 import { type CellData, cellDataOf } from './vtk-cell-data'
@@ -76,8 +77,7 @@ function readSources(document: VtkDocument, file: MeshFile, options: ReadOptions
   const isCollection = document.type === COLLECTION
   const steps = isCollection ? stepsOf(document) : []
   const step = options.step === 'last' ? steps.length - 1 : options.step
-  if (step >= steps.length && steps.length > 0)
-    refuse(file, `it has ${steps.length} time steps, and step ${step + 1} was asked for.`)
+  if (step >= steps.length && steps.length > 0) refuse(file, missingStep(steps.length, step))
   const names = isCollection ? (steps[step]?.files ?? []) : piecesOf(document)
   if (names.length === 0) refuse(file, `it names no ${isCollection ? 'file' : 'piece'}.`)
   if (isCollection) {

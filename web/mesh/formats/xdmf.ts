@@ -6,6 +6,7 @@ import { answered, hdf5For } from '../hdf5-reader'
 import { type Mesh, MeshRefusal, MOST_IMPLIED_CELLS } from '../mesh'
 import { headText } from '../snippet-text'
 import { type MeshFile, type MeshFormat, progressOf, type ReadOptions } from '../source'
+import { missingStep } from '../step-note'
 import { shown } from '../text-cursor'
 import { wordTable } from '../word-table'
 import { VtkMesh } from './vtk-mesh'
@@ -146,7 +147,7 @@ class XdmfReader {
     const { step } = this.#options
     const at = step === 'last' ? grids.length - 1 : step
     const grid = grids[at]
-    if (grid === undefined) this.#refuse(`it has ${grids.length} time steps, and step ${at + 1} was asked for.`)
+    if (grid === undefined) this.#refuse(missingStep(grids.length, step))
     // Of several collections each has the same steps.
     const isFirst = this.#mesh.steps.length === 0
     if (!isFirst && this.#mesh.steps.length !== times.length)
