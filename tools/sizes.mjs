@@ -17,7 +17,7 @@ const BUDGETS = {
   hexMesh: 60_000,
   batch: 100_000,
   mesh: 124_000,
-  meshWorker: 262_000,
+  meshWorker: 268_000,
   hdf5: 1_100_000,
 }
 

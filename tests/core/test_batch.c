@@ -376,8 +376,8 @@ static void hints_are_true(void) {
       CHECK(!isnan(a->relative_minimum) || a->element_class == HL_CLASS_COLLAPSED, "%s: cell %d: no volume", name, n);
       ++known;
     }
-    CHECK(coincident_count > TIMES(10) && accepted > TIMES(50), "%s: %d coincident, %d accepted", name, coincident_count,
-          accepted);
+    CHECK(coincident_count > TIMES(10) && accepted > TIMES(50), "%s: %d coincident, %d accepted", name,
+          coincident_count, accepted);
     CHECK(kernels[k] ? known > TIMES(500) : known == 0, "%s: %d known", name, known);
     check_ends_and_free(&m, name);
   }

@@ -13,9 +13,9 @@ typedef struct batch_stages {
 /* Lists with one entry a cell, each of which may be null; the last two only together with minima. Of a cell that is unanswered the bytes
    are 0, the number NaN. */
 typedef struct batch_hints {
-  uint8_t *coincident;      /* 1 where two vertices or more are at one position */
-  uint8_t *accepted_by;     /* of an invalid cell which of CORNER_CHECKS accept it, bit 1 << c; else 0 */
-  float *relative_minima;   /* within 2^-20, (L5); NaN where that is not certain */
+  uint8_t *coincident;    /* 1 where two vertices or more are at one position */
+  uint8_t *accepted_by;   /* of an invalid cell which of CORNER_CHECKS accept it, bit 1 << c; else 0 */
+  float *relative_minima; /* within 2^-20, (L5); NaN where that is not certain */
 } batch_hints;
 
 /* hl_classify with these kernels, or one by one where they are null. `hints` and `stages` may be null. */

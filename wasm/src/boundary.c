@@ -336,8 +336,8 @@ unsigned corner_checks_that_accept(const double vertices[24]) {
   checked e;
   if (!find_sources(vertices, &edges, bernstein, &e)) return accepting_exactly(vertices) & CORNER_CHECKS;
   const double scaled_jacobian = scaled_jacobian_of_verdict(vertices, scaled_jacobian_of(&e));
-  return (unsigned)(e.corner_minimum > 0) << HL_CHECK_CORNERS |
-         (unsigned)(scaled_jacobian > 0) << HL_CHECK_CORNERS_AND_CENTRE;
+  return (unsigned)(e.corner_minimum > 0) << HL_CHECK_CORNERS | (unsigned)(scaled_jacobian > 0)
+                                                                    << HL_CHECK_CORNERS_AND_CENTRE;
 }
 
 hl_status hl_boundary_minimum(const double vertices[24], hl_variant variant, hl_minimum *minimum) {

@@ -219,8 +219,7 @@ static inline void corners_of_group(const double *hexahedra, int first, lane_min
   double_bits positive = (greatest > CORNER_ERROR);
   double_bits settled = usable & accurate & (valid | invalid) & ~lower;
   double_bits state = (usable & LANE_USABLE) | (valid & LANE_VALID) | (invalid & LANE_INVALID) |
-                      (accurate & LANE_ACCURATE) | (settled & LANE_SETTLED) |
-                      (positive & LANE_POSITIVE);
+                      (accurate & LANE_ACCURATE) | (settled & LANE_SETTLED) | (positive & LANE_POSITIVE);
   for (int h = 0; h < DOUBLES; ++h) {
     out->state[first + h] = (unsigned char)state[h];
     out->vertex[first + h] = (unsigned char)vertex[h];
@@ -321,8 +320,9 @@ static inline pairs products_of(split_pairs a, split_pairs b) {
   return renewed_pairs(high.high, high.low + (a.value.high * b.value.low + a.value.low * b.value.high));
 }
 
-static inline void add_exact_determinant(const split_pairs a[3], const split_pairs b[3], const split_pairs c[3],
-                                         pairs *total, doubles *size) {
+/* Three calls: inlined, they would be most of the kernel's code. */
+__attribute__((noinline)) static void add_exact_determinant(const split_pairs a[3], const split_pairs b[3],
+                                                            const split_pairs c[3], pairs *total, doubles *size) {
   for (int r = 0; r < 3; ++r) {
     const int s = (r + 1) % 3, t = (r + 2) % 3;
     pairs other = products_of(a[t], b[s]);
@@ -376,4 +376,5 @@ static void nearest_volumes_of_block(const double *hexahedra, int count, lane_ne
 #define KERNELS(name) KERNELS_(name)
 #define STRING_(name) #name
 #define STRING(name) STRING_(name)
-const lane_kernels KERNELS(LANES) = {STRING(LANES), DOUBLES, decide_block, corners_of_block, volumes_of_block, nearest_volumes_of_block};
+const lane_kernels KERNELS(LANES) = {STRING(LANES),    DOUBLES,          decide_block,
+                                     corners_of_block, volumes_of_block, nearest_volumes_of_block};
