@@ -26,12 +26,14 @@ from ._outputs import (
     without_controls,
 )
 from ._sources import read_file
+from ._version import __version__
 
 __all__ = ["check_command", "main"]
 
 USAGE: Final = """Usage: python -m hexlens check [OPTION...] FILE...
        hexlens-check [OPTION...] FILE...
        python -m hexlens repair FILE -o OUT.vtu: its own --help
+       python -m hexlens --version
 
 Reads meshes, decides for every hexahedron of eight nodes whether jacdet > 0 in all of it, exactly, and says which are the
 worst: those with the least minimum of jacdet over |volume|. "-" is standard input. VTU, .pvtu and VTK legacy are read; for
@@ -366,6 +368,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return _run(own[1:], repair_command, REPAIR_USAGE)
     if own[:1] in (["--help"], ["-h"]):
         sys.stdout.write(USAGE)
+        return _OK
+    if own[:1] == ["--version"]:
+        sys.stdout.write(f"{__version__}\n")
         return _OK
     sys.stderr.write(USAGE)
     return _REFUSED

@@ -178,6 +178,7 @@ def test_command(tmp_path: Path) -> None:
     assert "stays as it is" in refused.stderr
     assert source.read_bytes() == before
     assert "--slide" in python("repair", "--help").stdout
+    assert python("--version").stdout == f"{hexlens.__version__}\n"
     assert "required" in python("repair", str(source)).stderr
     missing = python("repair", str(source), "-o", str(target), "--step", "2")
     assert (missing.returncode, missing.stderr) == (2, "hexlens: in.vtu: it has one time step, and step 2 was asked for.\n")

@@ -1,6 +1,6 @@
 /** `analyze` as scripts meet it: the program itself on real files, and its streams in-process. */
 import { execFile } from 'node:child_process'
-import { mkdtempSync, rmSync, writeFileSync } from 'node:fs'
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
 import { tmpdir } from 'node:os'
 import { join } from 'node:path'
 import { fileURLToPath } from 'node:url'
@@ -257,6 +257,11 @@ describe('the program', () => {
     writeFileSync(file, JSON.stringify(entries))
     const { stdout } = await run(['analyze', file])
     expect(JSON.parse(stdout).length).toBe(3000)
+  })
+
+  it('says its version', async () => {
+    const { version } = JSON.parse(readFileSync(new URL('../../package.json', import.meta.url), 'utf8'))
+    expect(await analyze('', ['--version'])).toEqual({ status: 0, output: `${version}\n`, errors: '' })
   })
 
   it('ends with the status', async () => {

@@ -1,5 +1,6 @@
 /** The command line: which command is meant, and its exit status. web/cli/from-sources.ts and web/package/cli.ts run it. */
 
+import { version } from '../../package.json'
 import { shown, withoutControls } from '../mesh/text-cursor'
 import { Refusal } from '../model/result'
 import { certification } from '../outputs/certificates'
@@ -38,6 +39,10 @@ export async function main(
   try {
     if (isHelp(name) || (elementCommands.has(name) && isHelp(rest[0]))) {
       await streams.output.write(USAGE)
+      return OK
+    }
+    if (name === '--version') {
+      await streams.output.write(`${version}\n`)
       return OK
     }
     const meshCommand = meshCommands.get(name)

@@ -6,6 +6,7 @@ export const USAGE = `Usage: ${CALL} check FILE...           a mesh: ${CALL} che
        ${CALL} repair FILE -o OUT      a mesh, with vertices moved: ${CALL} repair --help
        ${CALL} analyze FILE.json
        ${CALL} certify FILE.json
+       ${CALL} --version
 
 Decides exactly whether trilinear hexahedra are valid finite elements: jacdet > 0 everywhere in them.
 

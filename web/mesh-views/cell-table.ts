@@ -36,6 +36,12 @@ const COLUMNS: readonly ColumnWords[] = [
   { column: 'block', name: 'Block', title: 'The first block that the cell is in' },
 ]
 
+interface ShownList {
+  readonly hasBlocks: boolean
+  readonly order: Arrangement
+  readonly isGrown?: boolean
+}
+
 export class CellTable {
   readonly #root: HTMLElement
   readonly #host: TableHost
@@ -49,6 +55,8 @@ export class CellTable {
   #chosen: number | null = null
   /** Blocks of rows as they are in the present order; a promise is under way. */
   #blocks = new Map<number, readonly Row[] | null>()
+  /** As they were before the list has grown. */
+  readonly #before = new Map<number, readonly Row[]>()
   #version = 0
 
   constructor(root: HTMLElement, host: TableHost) {
@@ -57,15 +65,16 @@ export class CellTable {
     this.#size.observe(root)
   }
 
-  /** Another list, or the same in another order; its first rows, if they are there already. */
-  show(
-    count: number,
-    { hasBlocks, order }: { readonly hasBlocks: boolean; readonly order: Arrangement },
-    first: readonly Row[] = [],
-  ): void {
+  /**
+   * Another list, or the same in another order, or grown, whose rows stay in sight until others have come; its first rows, if they are there
+   * already.
+   */
+  show(count: number, { hasBlocks, order, isGrown = false }: ShownList, first: readonly Row[] = []): void {
     this.#count = count
     this.#hasBlocks = hasBlocks
     this.#order = order
+    if (!isGrown) this.#before.clear()
+    else for (const [block, rows] of this.#blocks) if (rows) this.#before.set(block, rows)
     this.#blocks = new Map(first.length >= Math.min(BLOCK, count) ? [[0, first]] : [])
     this.#version++
     this.#active = Math.min(this.#active, Math.max(0, count - 1))
@@ -132,7 +141,7 @@ export class CellTable {
     const block = Math.floor(rank / BLOCK)
     const rows = this.#blocks.get(block)
     if (rows === undefined) void this.#fetch(block)
-    return rows?.[rank - block * BLOCK] ?? null
+    return (rows ?? this.#before.get(block))?.[rank - block * BLOCK] ?? null
   }
 
   async #fetch(block: number): Promise<void> {

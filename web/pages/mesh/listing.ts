@@ -48,10 +48,12 @@ export class Listing {
     this.#state.set({ condition, range, complaint })
     if (complaint !== null) return
     const selection = { condition: condition.trim() === '' ? null : condition, range }
+    let isGrown = false
     const onStep = (selected: Selected) => {
       if (own !== this.#state.survey) return
       this.#state.set({ selected })
-      this.#show()
+      this.#show(isGrown)
+      isGrown = true
     }
     const selected = await this.#state.asked(open => open.select(selection, overview.hexahedra, onStep))
     if (!selected) return
@@ -64,9 +66,9 @@ export class Listing {
     this.#views.table.focus()
   }
 
-  #show(): void {
+  #show(isGrown = false): void {
     const { overview, selected, order } = this.#state.shown
-    this.#views.table.show(selected?.listed ?? 0, { hasBlocks: (overview?.blocks.length ?? 0) > 0, order })
+    this.#views.table.show(selected?.listed ?? 0, { hasBlocks: (overview?.blocks.length ?? 0) > 0, order, isGrown })
   }
 }
 
