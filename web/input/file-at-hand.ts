@@ -95,7 +95,7 @@ export async function fileAtHand(
     onCells(points, halves, known)
   }
   const waiting = slices.filter(({ isRead }) => !isRead)
-  const packed = unpacking.flatMap(each => each.parts.map(part => ({ each, part })))
+  const packed: Packed[] = unpacking.flatMap(each => each.parts.map(part => ({ each, part })))
   const total = waiting.length + packed.length
 
   function took(slice: Slice): void {
@@ -117,24 +117,24 @@ export async function fileAtHand(
 
   async function readAll(): Promise<void> {
     for (let slice = waiting.shift(); slice; slice = waiting.shift()) await read(slice)
-    await unpackAll(async part => unpackedPart(await bytesOf(part).arrayBuffer(), part, core as ReadingCore))
+    for (let next = packed.shift(); next; next = packed.shift()) await unpackHere(next)
   }
 
-  async function unpackAll(unpack: (part: PackedPart) => Promise<UnpackedPart | null>): Promise<void> {
-    for (let next = packed.shift(); next; next = packed.shift()) {
-      const { each, part } = next
-      try {
-        each.put(part, await unpack(part))
-      } catch {
-        packed.unshift(next)
-        return
-      }
-      onProgress(++done / total)
-    }
+  async function unpackHere({ each, part }: Packed): Promise<void> {
+    each.put(part, unpackedPart(await bytesOf(part).arrayBuffer(), part, core as ReadingCore))
+    onProgress(++done / total)
   }
 
   async function readElsewhere({ halve, unpack }: PartReader): Promise<void> {
-    await unpackAll(part => unpack(bytesOf(part), part))
+    for (let next = packed.shift(); next; next = packed.shift()) {
+      const { each, part } = next
+      try {
+        each.put(part, await unpack(bytesOf(part), part))
+        onProgress(++done / total)
+      } catch {
+        return unpackHere(next)
+      }
+    }
     for (;;) {
       const at = waiting.findIndex(slice => slice.halves)
       const [slice] = at < 0 ? [] : waiting.splice(at, 1)
@@ -176,28 +176,35 @@ export async function fileAtHand(
   }
 }
 
+interface Packed {
+  readonly each: Unpacking
+  readonly part: PackedPart
+}
+
 /** A list of compressed blocks that is unpacked part by part. */
 class Unpacking {
   readonly from: number
   readonly parts: readonly PackedPart[]
   readonly #list: UnpackedList
-  #isWhole = true
+  #missing: number
 
   constructor({ from, to, isLong }: FileList, packed: PackedBlocks) {
     this.from = from
     this.parts = packedParts(packed, isLong)
+    this.#missing = this.parts.length
     const count = packed.bytes / 8
     this.#list = { list: isLong ? new Uint32Array(count) : new Float64Array(count), to }
   }
 
   put({ first }: PackedPart, found: UnpackedPart | null): void {
-    if (found?.high === 0) this.#list.list.set(found.list, first)
-    else this.#isWhole = false
+    if (found?.high !== 0) return
+    this.#list.list.set(found.list, first)
+    this.#missing--
   }
 
   /** Null where a part was damaged, or an integer was greater. */
   found(): UnpackedList | null {
-    return this.#isWhole ? this.#list : null
+    return this.#missing === 0 ? this.#list : null
   }
 }
 
