@@ -4,7 +4,12 @@ import { tmpdir } from 'node:os'
 import { join } from 'node:path'
 import { fileURLToPath } from 'node:url'
 import type { Page } from '@playwright/test'
-import { moved } from '../unit/mesh-fixtures'
+import { headlineOf } from '../../web/mesh/mesh-headline'
+import { readMeshes } from '../../web/mesh/read-mesh'
+import { fileOfBytes } from '../../web/mesh/source'
+import { practiceFile } from '../../web/survey/practice'
+import { checked, moved } from '../unit/mesh-fixtures'
+import { packedVtu } from '../unit/packed-vtu'
 import { pvdText, vtuOf } from '../unit/vtu-text'
 import { drop } from './input'
 import { expect, expectAxeFindsNothing, type Lens, test } from './lens'
@@ -344,6 +349,33 @@ test('files: mirrored cells by one click, a second mesh, what cannot be read', a
   await expect(page.locator('.news')).toContainText('letter.txt')
   await expect(headline(page)).toHaveText(/^10 of 16 hexahedra are invalid/)
   expect(await chosenIn(lens)).toEqual(before)
+})
+
+test('a large file is read by several workers as it comes, and by blocks', async ({ page }) => {
+  const raw = Buffer.from(await practiceFile().arrayBuffer())
+  const [mesh] = readMeshes(fileOfBytes('raw.vtu', Uint8Array.from(raw)))
+  if (!mesh) throw new Error('There is no mesh.')
+  const check = await checked(mesh, { worst: 3, lists: { acceptedBy: true } })
+  const inline = packedVtu(mesh, 'inline')
+  await openMesh(page)
+  const open = (name: string, buffer: Buffer) =>
+    page.locator('.overview input[type=file]').setInputFiles({ name, mimeType: '', buffer })
+  for (const [name, bytes] of [
+    ['raw.vtu', raw],
+    ['inline.vtu', inline],
+    ['appended.vtu', packedVtu(mesh, 'appended')],
+  ] as const) {
+    await open(name, bytes)
+    await expect(page.locator('.notes')).toContainText(name)
+    await expect(headline(page)).toHaveText(headlineOf(check))
+    for (const [i, cell] of check.worst.entries()) await expect(rows(page).nth(i)).toContainText(String(cell))
+  }
+  const damaged = Buffer.from(inline)
+  const middle = damaged.length >> 1
+  damaged.fill('A', middle, middle + 99)
+  await open('damaged.vtu', damaged)
+  await expect(page.locator('.news')).toContainText(/damaged\.vtu, byte \d+: “Points”/)
+  await expect(headline(page)).toHaveText(headlineOf(check))
 })
 
 test('from the lens a list goes along, whatever it was read from; nothing of it is left behind', async ({

@@ -1,14 +1,15 @@
 /** Lists of a file that is read beforehand: where they lie, and integers of 64 bits as their low halves. */
 import { readFileSync } from 'node:fs'
-import { deflateSync } from 'node:zlib'
 import { describe, expect, test } from 'vitest'
 import { loadReadingCore } from '../../web/core/reading-core'
 import { lowHalves, PART } from '../../web/input/low-halves'
 import { packedParts, unpackedPart } from '../../web/input/unpacking'
+import type { Mesh } from '../../web/mesh/mesh'
 import { listsIn, readMeshes } from '../../web/mesh/read-mesh'
 import { type FileList, fileOfBytes, type MeshFile, type PackedBlocks, type UnpackedList } from '../../web/mesh/source'
 import { practiceFile } from '../../web/survey/practice'
 import { randomSource } from './core-fixtures'
+import { BLOCK, packedVtu } from './packed-vtu'
 
 const bytes = new Uint8Array(await practiceFile().arrayBuffer())
 const file = fileOfBytes('practice.vtu', bytes)
@@ -79,61 +80,6 @@ describe('a raw VTU', () => {
 })
 
 const core = await loadReadingCore(readFileSync(new URL('../../build/hexlens-reading.wasm', import.meta.url)))
-const BLOCK = 32768
-
-/** A list in blocks of zlib behind their header, as VTK writes it. */
-function packed(list: ArrayBufferView, isBase64: boolean): Buffer {
-  const plain = Buffer.from(list.buffer as ArrayBuffer, list.byteOffset, list.byteLength)
-  const blocks = Array.from({ length: Math.ceil(plain.length / BLOCK) }, (_, i) =>
-    deflateSync(plain.subarray(BLOCK * i, BLOCK * (i + 1)), { level: 1 }),
-  )
-  const header = Uint32Array.of(blocks.length, BLOCK, plain.length % BLOCK, ...blocks.map(({ length }) => length))
-  const parts = [Buffer.from(header.buffer), Buffer.concat(blocks)]
-  return isBase64 ? Buffer.from(parts.map(part => part.toString('base64')).join('')) : Buffer.concat(parts)
-}
-
-/** The raw VTU in compressed blocks: in the arrays' own places as PyVista writes it, behind an array that nobody needs, or appended. */
-function packedFile(way: 'inline' | 'appended'): Buffer {
-  const [mesh] = readMeshes(file)
-  const cells = mesh?.cells as Uint32Array
-  const long = (list: Iterable<number>) => BigInt64Array.from(list as never, BigInt)
-  const ends = Array.from({ length: cells.length / 8 }, (_, i) => 8 * (i + 1))
-  const lists = [mesh?.points as Float64Array, long(cells), long(ends), new Uint8Array(ends.length).fill(12)]
-  const isInline = way === 'inline'
-  const data = lists.map(list => packed(list, isInline))
-  let offset = 0
-  const arrays = [
-    'Float64" NumberOfComponents="3',
-    'Int64" Name="connectivity',
-    'Int64" Name="offsets',
-    'UInt8" Name="types',
-  ].map((words, i) => {
-    const own = data[i] as Buffer
-    const place = isInline ? ['binary">\n  ', own, '\n</DataArray>'] : [`appended" offset="${offset}"/>`]
-    offset += own.length
-    return [`<DataArray type="${words}" format="`, ...place]
-  })
-  const unneeded = [
-    '<PointData><DataArray type="Float32" Name="t" format="binary">',
-    packed(new Float32Array(9e4), true),
-  ]
-  const parts = [
-    '<VTKFile type="UnstructuredGrid" byte_order="LittleEndian" header_type="UInt32" compressor="vtkZLibDataCompressor">',
-    `<UnstructuredGrid><Piece NumberOfPoints="${(mesh?.points.length ?? 0) / 3}" NumberOfCells="${ends.length}">`,
-    ...(isInline ? [...unneeded, '</DataArray></PointData>'] : []),
-    ...[
-      '<Points>',
-      ...(arrays[0] ?? []),
-      '</Points><Cells>',
-      ...arrays.slice(1).flat(),
-      '</Cells></Piece></UnstructuredGrid>',
-    ],
-    ...(isInline ? [] : ['<AppendedData encoding="raw">_', ...data, '</AppendedData>']),
-    '</VTKFile>',
-  ]
-  return Buffer.concat(parts.map(part => (typeof part === 'string' ? Buffer.from(part) : part)))
-}
-
 /** A list of the parts that were unpacked; null if one was damaged. */
 function unpacked(bytes: Uint8Array, { to, isLong, packed }: FileList): UnpackedList | null {
   const blocks = packed as PackedBlocks
@@ -147,7 +93,7 @@ function unpacked(bytes: Uint8Array, { to, isLong, packed }: FileList): Unpacked
 }
 
 describe.each(['inline', 'appended'] as const)('a VTU in compressed blocks, %s', way => {
-  const bytes = packedFile(way)
+  const bytes = packedVtu(readMeshes(file)[0] as Mesh, way)
   const own = fileOfBytes('packed.vtu', bytes)
   const lists = listsIn(own)
   const [mesh] = readMeshes(file)
