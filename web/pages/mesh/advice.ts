@@ -29,6 +29,7 @@ const ADVICE: readonly (readonly [about: RegExp, advice: string])[] = [
   [/nodes beyond those on the edges/, 'Write the mesh with linear elements to have them checked.'],
   [/of order .*, not trilinear/, 'Write the mesh with linear elements to have them checked.'],
   [/curved edges/, 'What blockMesh makes of them is answered for its polyMesh.'],
+  [/^The file curves/, 'Answered are the elements with straight sides between their eight vertices.'],
   [
     /^Coordinates are (printed|stored)/,
     'It may decide about cells whose minimum is as near to 0: write more digits, or doubles.',
