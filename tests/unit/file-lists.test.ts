@@ -60,7 +60,8 @@ describe('a raw VTU', () => {
       lowHalves(from, count) {
         const own = lists.find(list => list.from === from && list.isLong)
         if (!isWhole || !own || own.to - own.from !== 8 * count) return null
-        return lowHalves(bytes.slice(own.from, own.to).buffer).list
+        const { list, ranges } = lowHalves(bytes.slice(own.from, own.to).buffer)
+        return { list, greatest: Math.max(...ranges) }
       },
     })
     for (const isWhole of [true, false]) {

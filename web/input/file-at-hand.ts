@@ -166,7 +166,10 @@ export async function fileAtHand(
     },
     lowHalves(from, count) {
       const { halves } = slices.find(slice => slice.halves?.from === from) ?? {}
-      return halves && halves.high === 0 && halves.list.length === count ? halves.list : null
+      if (halves?.high !== 0 || halves.list.length !== count) return null
+      // Of those from 2^31 on the least is negative.
+      const isSigned = halves.ranges.every(each => each >= 0)
+      return isSigned ? { list: halves.list, greatest: halves.ranges.reduce((a, b) => Math.max(a, b), 0) } : null
     },
     unpacked: from => unpacking.find(each => each.from === from)?.found() ?? null,
     close() {

@@ -11,9 +11,14 @@ export interface MeshFile {
   /** A copy of the bytes [from, to), which must lie in the file; it may be in `into`, if that is given, which is as long at least. */
   read(from: number, to: number, into?: Uint8Array): Uint8Array
   /** The low halves of integers of 64 bits from a byte on, where they were taken beforehand and none has more; the list is the caller's. */
-  lowHalves?(from: number, count: number): Uint32Array | null
+  lowHalves?(from: number, count: number): KnownIndices | null
   /** The numbers of compressed blocks whose header begins at a byte, where they were unpacked beforehand; the list is the caller's. */
   unpacked?(from: number): UnpackedList | null
+}
+
+export interface KnownIndices {
+  readonly list: Uint32Array
+  readonly greatest: number
 }
 
 export interface UnpackedList {

@@ -14,6 +14,8 @@ export interface VtkGrid {
   readonly declaredPoints: number
   /** The points of all cells, one after the other; it is used up. */
   readonly connectivity: Uint32Array
+  /** In `connectivity`, where it is known beforehand. */
+  readonly greatest?: number | null | undefined
   /** The index in `connectivity` behind each cell's last point. */
   readonly ends: Uint32Array
   readonly types: Uint8Array
@@ -127,7 +129,12 @@ export class VtkMesh {
     let from = 0
     let missing = grid.declaredCells - types.length
     this.#missingPoints += declaredPoints - pointCount
-    if (places === null && missing === 0 && areHexahedra(grid) && largestIn(connectivity) < pointCount)
+    if (
+      places === null &&
+      missing === 0 &&
+      areHexahedra(grid) &&
+      (grid.greatest ?? largestIn(connectivity)) < pointCount
+    )
       return connectivity
     for (let cell = 0; cell < types.length; ++cell) {
       const end = ends[cell] as number

@@ -12,7 +12,7 @@ import { MACHINE_IS_LITTLE_ENDIAN } from '../endian'
 import { MeshRefusal } from '../mesh'
 import { lineAt, NumberRun } from '../number-run'
 import { isEllipsis } from '../snippet-text'
-import type { FileList, MeshFile, ReadOptions } from '../source'
+import type { FileList, KnownIndices, MeshFile, ReadOptions } from '../source'
 import { shown } from '../text-cursor'
 import { alignedTo, type NumberList, type NumberType, putNumbers, sizeOf } from './vtk-numbers'
 
@@ -43,6 +43,8 @@ export interface DataArray {
 export interface ReadArray<T extends NumberList> {
   readonly list: T
   readonly digits: number
+  /** Of indices, where it is known beforehand. */
+  readonly greatest?: number | null
 }
 
 export const ZLIB = 'vtkZLibDataCompressor'
@@ -71,7 +73,7 @@ export function readArray<T extends NumberList>(
 ): ReadArray<T> {
   if (array.format === 'ascii') return readText(storage, array, count, List, mayHaveFewer)
   if (count === 0) return { list: new List(0), digits: 0 }
-  return { list: new BinaryArray(storage, array, count, List).read(), digits: 0 }
+  return new BinaryArray(storage, array, count, List).read()
 }
 
 /** Where a list of a piece of so many cells lies, of doubles or integers of 64 bits in memory's order; nothing of another one. */
@@ -194,6 +196,7 @@ class BinaryArray<T extends NumberList> {
   readonly #source: ByteSource
   #list: T
   #filled = 0
+  #greatest: number | null = null
 
   constructor(storage: Storage, array: DataArray, count: number, List: new (length: number) => T) {
     this.#storage = storage
@@ -225,7 +228,7 @@ class BinaryArray<T extends NumberList> {
     return appended.isBase64 ? new Base64Bytes(file, start, file.size) : new RawBytes(file, start)
   }
 
-  read(): T {
+  read(): ReadArray<T> {
     try {
       const { file, decompress } = this.#storage
       const known = file.unpacked?.(this.#source.position)?.list
@@ -236,7 +239,7 @@ class BinaryArray<T extends NumberList> {
       if (error instanceof DamagedStream) this.#refuse(`${error.message}.`)
       throw error
     }
-    return this.#list
+    return { list: this.#list, digits: 0, greatest: this.#greatest }
   }
 
   /** The next bytes, which the file must have. */
@@ -286,9 +289,10 @@ class BinaryArray<T extends NumberList> {
       this.#list = new Float64Array(buffer, byteOffset, byteLength / this.#size) as T
       return
     }
-    const halves = this.#lowHalves()
-    if (halves) {
-      this.#list = halves
+    const known = this.#lowHalves()
+    if (known) {
+      this.#list = known.list as T
+      this.#greatest = known.greatest
       return
     }
     this.#makeRoom()
@@ -300,11 +304,11 @@ class BinaryArray<T extends NumberList> {
     }
   }
 
-  #lowHalves(): T | null {
+  #lowHalves(): KnownIndices | null {
     const { file, isLittleEndian } = this.#storage
     const isLong = this.#array.type === 'Int64' || this.#array.type === 'UInt64'
     if (!isLong || !isLittleEndian || !(this.#list instanceof Uint32Array)) return null
-    return (file.lowHalves?.(this.#source.position, this.#count) ?? null) as T | null
+    return file.lowHalves?.(this.#source.position, this.#count) ?? null
   }
 
   #readBlocks(decompress: (input: Uint8Array, output: Uint8Array) => void): void {

@@ -148,7 +148,12 @@ function readPiece(storage: Storage, piece: Piece, isOnly: boolean, mesh: VtkMes
       `the offset of cell ${falling} is ${ends[falling]}, less than ${ends[falling - 1]}, that of the cell before.`,
     )
   const isWhole = ends.length === cellCount
-  const { list: connectivity } = read('connectivity', isWhole ? (ends.at(-1) ?? 0) : 0xffffffff, Uint32Array, !isWhole)
+  const { list: connectivity, greatest } = read(
+    'connectivity',
+    isWhole ? (ends.at(-1) ?? 0) : 0xffffffff,
+    Uint32Array,
+    !isWhole,
+  )
   // If the text leaves something out, those cells are whole that all three arrays have.
   let whole = Math.min(types.length, ends.length)
   while (whole > 0 && (ends[whole - 1] as number) > connectivity.length) whole--
@@ -158,6 +163,7 @@ function readPiece(storage: Storage, piece: Piece, isOnly: boolean, mesh: VtkMes
       points: points.subarray(0, points.length - (points.length % 3)),
       declaredPoints: pointCount,
       connectivity,
+      greatest,
       ends: ends.subarray(0, whole),
       types: types.subarray(0, whole),
       declaredCells: cellCount,

@@ -1,5 +1,6 @@
 /** Opens meshes, each in a worker of its own. The mesh that was open stays until the other one is decided; its worker is ended then. */
 import { inputName, type PastedInput } from '../../input/pasted-input'
+import type { ReadingProgress } from '../../input/reading'
 import { WaitingFiles } from '../../input/waiting-files'
 import { OpenSurvey } from '../../survey/open-survey'
 import type { Fix, Opening, Overview } from '../../survey/survey-jobs'
@@ -10,6 +11,9 @@ import { NOTHING_SHOWN, type PageState, type PutAside } from './page-state'
 import { cancelledWords, namesakeSentence, refusalWords } from './page-words'
 import type { SettingsTravel } from './settings-travel'
 import type { About, Showing } from './showing'
+
+/** Milliseconds. */
+const SOON = 300
 
 export interface OpenerActions {
   readonly showing: Showing
@@ -44,10 +48,10 @@ export class Opener {
     const own = this.#spare ?? new OpenSurvey(startSurveyWorker)
     this.#spare = null
     this.#opening = own
-    state.set({ progress: { name, step: 'reading', fraction: 0 }, news: '' })
-    const result = await own.open(input, progress => {
-      if (own === this.#opening) state.set({ progress: { name, ...progress } })
-    })
+    state.set({ news: '' })
+    const progress = this.#progressOf(own, name)
+    const result = await own.open(input, progress.take)
+    progress.end()
     if (own !== this.#opening) return own.close()
     this.#waiting.refused(input, 'refused' in result ? result.missing : [])
     if ('refused' in result) {
@@ -63,6 +67,26 @@ export class Opener {
     const hasSteps = (await state.asked(open => open.steps())) !== null
     const beside = 'files' in input && !hasSteps ? namesakeSentence(input.paths) : ''
     if (own === state.survey) await this.#show(result.opened, { example, beside })
+  }
+
+  /** While another mesh is there to look at, the progress of one that is soon read would only flicker. */
+  #progressOf(own: OpenSurvey, name: string) {
+    let latest: ReadingProgress = { step: 'reading', fraction: 0 }
+    let isShown = false
+    const show = () => {
+      isShown = true
+      if (own === this.#opening) this.#state.set({ progress: { name, ...latest } })
+    }
+    const isOther = this.#state.survey !== null && this.#state.shown.progress === null
+    const timer = isOther ? setTimeout(show, SOON) : null
+    if (timer === null) show()
+    return {
+      take(progress: ReadingProgress) {
+        latest = progress
+        if (isShown) show()
+      },
+      end: () => clearTimeout(timer ?? undefined),
+    }
   }
 
   cancel(): void {
