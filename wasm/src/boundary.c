@@ -296,7 +296,7 @@ static unsigned accepting(const double checks[HL_CHECKS]) {
   return bits;
 }
 
-/* What the checks are made of, all but the edges' minimum; false where doubles leave the verdict open. */
+/* The sources of the checks' numbers, all but the edges' minimum; false where doubles leave the verdict open. */
 static bool find_sources(const double vertices[24], edge_vectors *edges, double bernstein[27], checked *e) {
   scaled_edge_vectors(vertices, edges);
   jacdet_bernstein(edges, bernstein);

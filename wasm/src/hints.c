@@ -10,8 +10,8 @@ static bool are_one(const double *p, int a, int b) {
   return p[3 * a] == p[3 * b] && p[3 * a + 1] == p[3 * b + 1] && p[3 * a + 2] == p[3 * b + 2];
 }
 
-/* Where the ends of an edge or of a face's diagonal coincide, two columns of the jacobian at a vertex are dependent and jacdet is 0 there:
-   so in a valid element only the four diagonals through the middle are left. */
+/* A valid element has only the four diagonals through the middle to look at: where the ends of an edge or of a face's diagonal coincide, two
+   columns of the jacobian at a vertex are dependent, and jacdet is 0 there. */
 bool has_coincident_vertices(const double vertices[24], bool is_valid) {
   if (is_valid)
     return are_one(vertices, 0, 6) || are_one(vertices, 1, 7) || are_one(vertices, 2, 4) || are_one(vertices, 3, 5);

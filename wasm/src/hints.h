@@ -1,4 +1,4 @@
-/* What a page says of a large mesh before it knows all of it: lists that point to the cells which are then looked at closely. */
+/* Hints for what a page says of a large mesh before it knows all of it: they point to the cells which are then looked at closely. */
 #ifndef HL_HINTS_H
 #define HL_HINTS_H
 

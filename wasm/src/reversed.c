@@ -7,7 +7,7 @@
 #include <math.h>
 #include <string.h>
 
-/* What is known of a cell while its component is walked through, as bits of its entry in the result. */
+/* The state of a cell while its component is walked through, as bits of its entry in the result. */
 enum { IS_REACHED = 1, IS_AGAINST_FIRST = 2 };
 
 /* The points of a face, round it: to the left as it is seen from outside, if jacdet > 0. */

@@ -1,4 +1,4 @@
-/** What a worker for batches does: one wasm instance, one piece after another. */
+/** The jobs of a worker for batches: one wasm instance, one piece after another. */
 import { seldom } from '../workers'
 import { type Counts, loadBatchCore, type Piece } from './batch-core'
 import { listsIn, type Wanted } from './lists'
@@ -20,7 +20,7 @@ export type BatchJobs = {
   classify(job: BatchJob, tell: (done: number) => void): BatchAnswer
 }
 
-/** And how its points are held for pieces that come without any. */
+/** The jobs, and the core, for whoever has others for it. */
 export async function startBatchJobs(module: WebAssembly.Module) {
   const core = await loadBatchCore(module)
   const jobs: BatchJobs = {

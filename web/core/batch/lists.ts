@@ -50,13 +50,13 @@ interface AllLists {
   readonly statuses: Uint8Array
   /** 1 for a cell that has two vertices or more at one position. */
   readonly coincident: Uint8Array
-  /** Of an invalid cell whether the corners and VTK's scaled Jacobian accept it, as in `acceptedBy`; else 0. */
+  /** The checks among the corners and VTK's scaled Jacobian that accept an invalid cell, as in `acceptedBy`; 0 for a valid one. */
   readonly acceptedInvalid: Uint8Array
   /** The relative minimum within `ABOUT` of itself; NaN where that is not certain. */
   readonly relativeAbout: Float32Array
 }
 
-/** Of relative minima, (L5). */
+/** The relative error of `relativeAbout` at most, (L5). */
 export const ABOUT = 2 ** -20
 
 /** Why a cell is unanswered, by its status; undefined if it is answered. */

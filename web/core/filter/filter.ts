@@ -174,7 +174,7 @@ function cubeOf(elements: Float64Array, at: number): number {
 }
 
 /**
- * What the report's jacdets are off by, in g^3. With P the greatest permanent, 48 g^3 at most, and M the greatest coefficient, 5 P at most:
+ * The error of the report's jacdets, in g^3. With P the greatest permanent, 48 g^3 at most, and M the greatest coefficient, 5 P at most:
  * a coefficient by 100uP (8R), what few means make of them by 40uM more (V2), the boundary's minimum and maximum by 36uP + 4000uM (M1),
  * what was decided exactly by a rounding. (36 + 5 * 4000) * 48 u < 2^-33.
  */
