@@ -90,6 +90,14 @@ test.each([
   await close()
 })
 
+test('where WebAssembly is forbidden it says that cells are decided one by one', async () => {
+  const forbidden = () => Promise.reject(new Error('forbidden'))
+  const prepared = (batchModule: () => Promise<WebAssembly.Module>) =>
+    sharedClassifier({ core, batchModule, helper: none, onProgress() {} }).prepare()
+  expect(await prepared(forbidden)).toBe(false)
+  expect(await prepared(async () => batchModules.vectors)).toBe(true)
+})
+
 /** Parts of 8192 indices, as they are known of a file. */
 function inParts(list: Uint32Array) {
   const ranges = new Int32Array(2 * Math.ceil(list.length / PART))

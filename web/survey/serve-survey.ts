@@ -235,7 +235,8 @@ export function serveSurvey(engine: SurveyEngine): void {
   serve<null, Served<SurveyJobs>>('hexlens-survey', () => ({
     async prepare() {
       const [own] = await Promise.all([tools(), engine.readingCore()])
-      own.classifier.prepare()
+      // One by one it would last, and whoever opens a mesh would wait for it.
+      if (!(await own.classifier.prepare())) return null
       const name = 'practice.vtu'
       for (let time = 0; time < TIMES; ++time)
         await decided(name, await read({ files: [practiceFile()] }, () => {}), own, null)

@@ -22,8 +22,8 @@ export interface ClassifierParts {
 
 export interface SharedClassifier {
   readonly classify: ClassifyCells
-  /** Starts the helpers before they are needed. */
-  prepare(): void
+  /** Starts the helpers before they are needed. False where cells are decided one by one. */
+  prepare(): Promise<boolean>
   /**
    * The first so many of the cells are known, and of all the points: they are decided before anybody asks. Who then asks for the same lists
    * of the same points and cells finds the answers.
@@ -76,7 +76,7 @@ export function sharedClassifier({ core, batchModule, helper, onProgress }: Clas
   }
   return {
     classify: classify as ClassifyCells,
-    prepare: () => void crewOnce(),
+    prepare: async () => (await crewOnce()) !== null,
     know(points, cells, count, wanted) {
       if (!ready || cells.list.length < 8 * MANY) return
       if (begun?.cells !== cells.list)
