@@ -348,7 +348,7 @@ static void the_lanes_decide_some_and_leave_some(void) {
 static void hints_are_true(void) {
   static uint8_t coincident[MANY], accepted_by[MANY];
   static float about[MANY];
-  const batch_hints hints = {coincident, accepted_by, about};
+  const batch_hints hints = {.coincident = coincident, .accepted_by = accepted_by, .relative_minima = about};
   const lane_kernels *kernels[5];
   const int kernel_count = all_kernels(kernels);
   const hl_cells cells = {.coordinates = hexahedra, .coordinate_count = (size_t)MANY * 24};
@@ -381,6 +381,85 @@ static void hints_are_true(void) {
     CHECK(kernels[k] ? known > TIMES(500) : known == 0, "%s: %d known", name, known);
     check_ends_and_free(&m, name);
   }
+}
+
+/* Cells from `first` on, in memory of their own so that a sanitizer sees what is read behind them, every tenth one unanswered. */
+static double *copied_with_gaps(size_t first, size_t count) {
+  double *own = malloc((24 * count + 1) * sizeof(double));
+  memcpy(own, hexahedra + 24 * first, 24 * count * sizeof(double));
+  for (size_t c = 3; c < count; c += 10) own[24 * c + c % 24] = NAN;
+  return own;
+}
+
+/* Left out are valid cells alone: the others have the same bits in blocks of few and of many, of all alike and of none. */
+static void relative_minima_of_valid_cells_are_left_out(void) {
+  const lane_kernels *kernels[5];
+  const int kernel_count = all_kernels(kernels);
+  for (int k = 0; k < kernel_count; ++k) {
+    const char *name = name_of(kernels[k]);
+    int left_out = 0, known = 0;
+    for (size_t length = 1; length <= MANY; length = length < LONGEST ? length + 1 : length + MANY - LONGEST) {
+      const size_t first = length == MANY ? 0 : MANY / 36 * length;
+      double *own = copied_with_gaps(first, length);
+      float *all = malloc(length * sizeof *all), *some = malloc(length * sizeof *some);
+      const hl_cells cells = {.coordinates = own, .coordinate_count = 24 * length};
+      for (int leaves = 0; leaves < 2; ++leaves) {
+        const batch_hints hints = {.relative_minima = leaves ? some : all, .leaves_valid = leaves};
+        hl_batch batch;
+        memory m = new_memory(ALL_LISTS, length, &batch);
+        CHECK(classify_with(kernels[k], &cells, &batch, &hints, NULL) == HL_OK, "%s, %zu cells", name, length);
+        check_ends_and_free(&m, name);
+      }
+      for (size_t c = 0; c < length; ++c) {
+        const bool is_answered = c % 10 != 3, is_valid = answers_alone[first + c].verdict == HL_VALID;
+        if (is_answered && !is_valid) {
+          CHECK(!memcmp(all + c, some + c, sizeof *all), "%s, %zu cells: cell %zu: %a, among all %a", name, length, c,
+                (double)some[c], (double)all[c]);
+          known += !isnan(some[c]);
+        } else {
+          CHECK(isnan(some[c]) && (is_answered || isnan(all[c])), "%s, %zu cells: cell %zu: %a", name, length, c,
+                (double)some[c]);
+          left_out += !isnan(all[c]);
+        }
+      }
+      free(some);
+      free(all);
+      free(own);
+    }
+    CHECK(kernels[k] ? left_out > TIMES(200) && known > TIMES(200) : left_out + known == 0, "%s: %d left out, %d known",
+          name, left_out, known);
+  }
+}
+
+/* The box is that of a plain loop, from nothing on and from a box that is there, whatever else is asked for. */
+static void boxes_are_those_of_the_cells(void) {
+  static const double starts[2][6] = {{INFINITY, INFINITY, INFINITY, -INFINITY, -INFINITY, -INFINITY},
+                                      {-0x1p-250, 0.5, -3, 0x1p-250, 1.5, -2}};
+  const unsigned lists[3] = {1 << VERDICTS, 1 << VERDICTS | 1 << CLASSES | 1 << STATUSES, ALL_LISTS};
+  const lane_kernels *kernels[5];
+  const int kernel_count = all_kernels(kernels);
+  for (int k = 0; k < kernel_count; ++k)
+    for (size_t length = 0; length <= MANY; length = length < LONGEST ? length + 1 : length + MANY - LONGEST) {
+      const size_t first = length == MANY ? 0 : MANY / 36 * length;
+      double *own = malloc((24 * length + 1) * sizeof(double)), box[6], expected[6];
+      memcpy(own, hexahedra + 24 * first, 24 * length * sizeof(double));
+      memcpy(box, starts[length % 2], sizeof box);
+      memcpy(expected, box, sizeof box);
+      for (size_t i = 0; i < 24 * length; ++i) {
+        if (own[i] < expected[i % 3]) expected[i % 3] = own[i];
+        if (own[i] > expected[3 + i % 3]) expected[3 + i % 3] = own[i];
+      }
+      const hl_cells cells = {.coordinates = own, .coordinate_count = 24 * length};
+      const batch_hints hints = {.box = box};
+      hl_batch batch;
+      memory m = new_memory(lists[length % 3], length, &batch);
+      CHECK(classify_with(kernels[k], &cells, &batch, &hints, NULL) == HL_OK, "%zu cells", length);
+      for (int i = 0; i < 6; ++i)
+        CHECK(box[i] == expected[i], "%s, %zu cells: %d of the box is %a, not %a", name_of(kernels[k]), length, i,
+              box[i], expected[i]);
+      check_ends_and_free(&m, name_of(kernels[k]));
+      free(own);
+    }
 }
 
 /* Each list with nothing but what it needs, then subsets at random; those that lack one are refused and nothing is written. */
@@ -511,6 +590,8 @@ int main(void) {
   RUN(every_list_is_as_alone);
   RUN(the_lanes_decide_some_and_leave_some);
   RUN(hints_are_true);
+  RUN(relative_minima_of_valid_cells_are_left_out);
+  RUN(boxes_are_those_of_the_cells);
   RUN(every_subset_of_lists_is_as_alone);
   RUN(every_length_is_as_alone);
   RUN(bad_cells_do_not_stop_the_others);

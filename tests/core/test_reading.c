@@ -7,6 +7,7 @@
 #include "check.h"
 #include "random.h"
 #include "reading/decimal.h"
+#include "reading/halves.h"
 #include "reading/inflate.h"
 #include "reading/text.h"
 
@@ -139,6 +140,71 @@ static void any_bytes_are_inflated_within_their_bounds(void) {
   CHECK(whole == 0, "%d random streams have a right checksum", whole);
 }
 
+static hl_halves halves_by_a_plain_loop(const uint64_t *numbers, uint32_t count) {
+  hl_halves known = {0, INT32_MAX, INT32_MIN, 0};
+  bool has_step = count > 1;
+  for (uint32_t i = 0; i < count; ++i) {
+    const int32_t low = (int32_t)(uint32_t)numbers[i];
+    known.high |= numbers[i] >> 32 != 0;
+    if (low < known.least) known.least = low;
+    if (low > known.greatest) known.greatest = low;
+    if (i > 0 && (uint32_t)(numbers[i] - numbers[i - 1]) != (uint32_t)(numbers[1] - numbers[0])) has_step = false;
+  }
+  if (has_step) known.step = (uint32_t)(numbers[1] - numbers[0]);
+  return known;
+}
+
+static void check_halves(const uint64_t *numbers, uint32_t count) {
+  /* Copies that end where the numbers do. */
+  uint32_t *words = calloc(count, 2 * sizeof *words), *low = malloc(count * sizeof *low);
+  for (uint32_t i = 0; i < count; ++i) {
+    words[2 * i] = (uint32_t)numbers[i];
+    words[2 * i + 1] = (uint32_t)(numbers[i] >> 32);
+  }
+  const hl_halves known = hl_low_halves(words, count, low), expected = halves_by_a_plain_loop(numbers, count);
+  CHECK((known.high != 0) == (expected.high != 0), "%u numbers: high halves are %x", count, known.high);
+  CHECK(known.least == expected.least && known.greatest == expected.greatest, "%u numbers: from %d to %d, not %d to %d",
+        count, known.least, known.greatest, expected.least, expected.greatest);
+  CHECK(known.step == expected.step, "%u numbers: the step is %u, not %u", count, known.step, expected.step);
+  for (uint32_t i = 0; i < count; ++i)
+    CHECK(low[i] == (uint32_t)numbers[i], "%u numbers: %u became %u", count, (uint32_t)numbers[i], low[i]);
+  free(low);
+  free(words);
+}
+
+static void low_halves_are_those_of_a_plain_loop(void) {
+  enum { PART = 8192 };
+  static uint64_t numbers[PART];
+  static const uint32_t steps[] = {0, 1, 8, 0xfffffff8u, 0x80000000u};
+  random_stream stream = {11};
+  for (uint32_t length = 1; length <= 41; ++length) {
+    const uint32_t count = length <= 40 ? length : PART;
+    /* Without a sign, with one, and with high halves now and then. */
+    for (int kind = 0; kind < 3; ++kind) {
+      for (uint32_t i = 0; i < count; ++i) {
+        const uint64_t bits = random_bits(&stream);
+        numbers[i] = kind == 0 ? bits & INT32_MAX : kind == 1 ? bits & UINT32_MAX : bits % 8 ? bits & 0xff : bits;
+      }
+      check_halves(numbers, count);
+    }
+    for (size_t s = 0; s < sizeof steps / sizeof *steps; ++s) {
+      const uint64_t first = random_bits(&stream) & 0xffffff;
+      for (uint32_t i = 0; i < count; ++i) numbers[i] = (uint32_t)(first + i * steps[s]);
+      check_halves(numbers, count);
+      /* One that is out of step, least, greatest or high, in each place of the short ones. */
+      for (uint32_t i = 0; i < count; i += count <= 40 ? 1 : 1023) {
+        static const uint64_t others[] = {1, INT32_MAX, 0x80000000u, UINT64_C(1) << 32, UINT64_C(1) << 63, UINT64_MAX};
+        const uint64_t own = numbers[i];
+        for (size_t o = 0; o < sizeof others / sizeof *others; ++o) {
+          numbers[i] = own ^ others[o];
+          check_halves(numbers, count);
+        }
+        numbers[i] = own;
+      }
+    }
+  }
+}
+
 int main(void) {
   hl_start_decimals();
   RUN(doubles_are_those_of_strtod);
@@ -146,5 +212,6 @@ int main(void) {
   RUN(middles_go_to_even_and_their_neighbours_do_not);
   RUN(any_bytes_are_read_within_their_bounds);
   RUN(any_bytes_are_inflated_within_their_bounds);
+  RUN(low_halves_are_those_of_a_plain_loop);
   return test_summary();
 }

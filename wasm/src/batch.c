@@ -14,7 +14,7 @@
 #include <math.h>
 #include <string.h>
 
-/* Memory for the minima of a block's cells: the caller's lists, or none. */
+/* Memory for the minima of a block's cells; the minimizers are the caller's, or none. */
 typedef struct minima_lists {
   double *minima, *minimizers, *corner_minima;
   int16_t *exponents;
@@ -32,7 +32,7 @@ typedef struct block {
   lane_volumes volumes;
   lane_nearest_volumes nearest;
   minima_lists out;
-  double minima[HL_BLOCK], minimizers[3 * HL_BLOCK], corner_minima[HL_BLOCK];
+  double minima[HL_BLOCK], corner_minima[HL_BLOCK];
   int16_t exponents[HL_BLOCK];
 } block;
 
@@ -183,7 +183,7 @@ static hl_candidate least_from(hl_candidate least, const double bernstein[27]) {
 }
 
 static void put_minimizer(block *b, int c, const double point[3]) {
-  memcpy(b->out.minimizers + 3 * c, point, 3 * sizeof *point);
+  if (b->out.minimizers) memcpy(b->out.minimizers + 3 * c, point, 3 * sizeof *point);
 }
 
 /* Powers of two that can lie between two doubles in a unit in their middle. */
@@ -265,7 +265,7 @@ static void put_corners(block *b, int from, int to) {
   memcpy(b->out.corner_minima + from, lanes->least + from, count * sizeof(double));
   memset(b->out.exponents + from, 0, count * sizeof(int16_t));
   for (int c = from; c < to; ++c) b->verdicts[c] = lanes->state[c] & LANE_VALID ? HL_VALID : HL_INVALID;
-  for (int c = from; c < to; ++c) put_minimizer(b, c, vertex_point[lanes->vertex[c]]);
+  for (int c = from; c < to && b->out.minimizers; ++c) put_minimizer(b, c, vertex_point[lanes->vertex[c]]);
 }
 
 /* The first of the cells from `c` on that lacks this bit, or `end`. */
@@ -304,7 +304,7 @@ static bool asks_for_minima(const hl_batch *batch) {
 
 static void choose_lists(const hl_batch *batch, size_t first, block *b) {
   b->out = (minima_lists){.minima = OR_ROOM(minima, first),
-                          .minimizers = OR_ROOM(minimizers, 3 * first),
+                          .minimizers = batch->minimizers ? batch->minimizers + 3 * first : NULL,
                           .corner_minima = OR_ROOM(corner_minima, first),
                           .exponents = OR_ROOM(exponents, first)};
 }
@@ -347,8 +347,34 @@ static void put_details(const lane_kernels *kernels, const hl_batch *batch, cons
         is_answered ? relative_minimum(b->out.minima[c], b->out.exponents[c], volume, exponent) : NAN;
 }
 
+/* About the relative minima of the block's cells; all that is not told is NaN. */
+static void put_relative_minima(const lane_kernels *kernels, bool leaves_valid, block *b, float *list) {
+  int cells[HL_BLOCK], count = 0;
+  for (int c = 0; c < b->count; ++c) {
+    list[c] = NAN;
+    if (b->verdicts[c] != HL_UNANSWERED && !(leaves_valid && b->verdicts[c] == HL_VALID)) cells[count++] = c;
+  }
+  if (!kernels || count == 0) return;
+  const bool is_whole = count == b->count;
+  for (int i = 0; i < count && !is_whole; ++i)
+    memcpy(b->open + 24 * i, b->hexahedra + 24 * cells[i], HL_COORDINATES * sizeof(double));
+  kernels->volumes(is_whole ? b->hexahedra : b->open, count, &b->volumes);
+  for (int i = 0; i < count; ++i)
+    if (b->out.exponents[cells[i]] == 0)
+      list[cells[i]] = relative_minimum_about(b->out.minima[cells[i]], b->volumes.twelvefold[i], b->volumes.size[i]);
+}
+
+static void widen_one_by_one(const double *hexahedra, int count, double box[6]) {
+  for (int i = 0; i < HL_COORDINATES * count; ++i) {
+    box[i % 3] = smaller(box[i % 3], hexahedra[i]);
+    box[3 + i % 3] = larger(box[3 + i % 3], hexahedra[i]);
+  }
+}
+
 static void put_hints(const lane_kernels *kernels, const batch_hints *hints, size_t first, block *b) {
-  if (hints->relative_minima && kernels) kernels->volumes(b->hexahedra, b->count, &b->volumes);
+  if (hints->box) (kernels ? kernels->widen : widen_one_by_one)(b->hexahedra, b->count, hints->box);
+  if (hints->relative_minima) put_relative_minima(kernels, hints->leaves_valid, b, hints->relative_minima + first);
+  if (!hints->coincident && !hints->accepted_by) return;
   for (int c = 0; c < b->count; ++c) {
     const double *vertices = b->hexahedra + 24 * c;
     const size_t cell = first + (size_t)c;
@@ -359,11 +385,6 @@ static void put_hints(const lane_kernels *kernels, const batch_hints *hints, siz
       hints->accepted_by[cell] = verdict == HL_INVALID && may_be_accepted(vertices, b->out.corner_minima[c])
                                      ? (uint8_t)corner_checks_that_accept(vertices)
                                      : 0;
-    if (hints->relative_minima)
-      hints->relative_minima[cell] =
-          kernels && verdict != HL_UNANSWERED && b->out.exponents[c] == 0
-              ? relative_minimum_about(b->out.minima[c], b->volumes.twelvefold[c], b->volumes.size[c])
-              : NAN;
   }
 }
 
@@ -392,7 +413,7 @@ static void hand_on(const lane_kernels *kernels, block *b, size_t first, hl_batc
 }
 
 static bool asks_for_hints(const batch_hints *hints) {
-  return hints->coincident || hints->accepted_by || hints->relative_minima;
+  return hints->coincident || hints->accepted_by || hints->relative_minima || hints->box;
 }
 
 hl_status classify_with(const lane_kernels *kernels, const hl_cells *cells, hl_batch *batch, const batch_hints *hints,

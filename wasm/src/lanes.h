@@ -50,6 +50,8 @@ typedef struct lane_kernels {
   void (*corners)(const double *hexahedra, int count, lane_minima *out);
   void (*volumes)(const double *hexahedra, int count, lane_volumes *out);
   void (*nearest_volumes)(const double *hexahedra, int count, lane_nearest_volumes *out);
+  /* Least x, y and z, then the greatest, of what is there and of all elements, which are finite. */
+  void (*widen)(const double *hexahedra, int count, double box[6]);
 } lane_kernels;
 
 /* The widest that this machine runs, or null where there is none: then everything is done one by one. */

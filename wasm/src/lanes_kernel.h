@@ -372,9 +372,30 @@ static void nearest_volumes_of_block(const double *hexahedra, int count, lane_ne
   for (int h = 0; h < count; h += DOUBLES) nearest_volumes_of_group(hexahedra + 24 * h, h, out);
 }
 
+/* Three vectors hold whole triples of coordinates, whatever the width: entry i of an element is on axis i % 3. */
+static void widen_by_block(const double *hexahedra, int count, double box[6]) {
+  doubles least[3], greatest[3];
+  for (int i = 0; i < 3 * DOUBLES; ++i) {
+    least[i / DOUBLES][i % DOUBLES] = box[i % 3];
+    greatest[i / DOUBLES][i % DOUBLES] = box[3 + i % 3];
+  }
+  for (int at = 0; at < 24 * count; at += 3 * DOUBLES)
+    for (int v = 0; v < 3; ++v) {
+      doubles own;
+      __builtin_memcpy(&own, hexahedra + at + v * DOUBLES, sizeof own);
+      least[v] = smaller_of(least[v], own);
+      greatest[v] = larger_of(greatest[v], own);
+    }
+  for (int i = 0; i < 3 * DOUBLES; ++i) {
+    const double low = least[i / DOUBLES][i % DOUBLES], high = greatest[i / DOUBLES][i % DOUBLES];
+    if (low < box[i % 3]) box[i % 3] = low;
+    if (high > box[3 + i % 3]) box[3 + i % 3] = high;
+  }
+}
+
 #define KERNELS_(name) lanes_##name
 #define KERNELS(name) KERNELS_(name)
 #define STRING_(name) #name
 #define STRING(name) STRING_(name)
-const lane_kernels KERNELS(LANES) = {STRING(LANES),    DOUBLES,          decide_block,
-                                     corners_of_block, volumes_of_block, nearest_volumes_of_block};
+const lane_kernels KERNELS(LANES) = {
+    STRING(LANES), DOUBLES, decide_block, corners_of_block, volumes_of_block, nearest_volumes_of_block, widen_by_block};
