@@ -3,7 +3,7 @@ import { readFileSync } from 'node:fs'
 import { deflateSync } from 'node:zlib'
 import { describe, expect, test } from 'vitest'
 import { loadReadingCore } from '../../web/core/reading-core'
-import { RowPattern } from '../../web/core/reading-interface'
+import { KNOWN_OF_PART, PART, RowPattern } from '../../web/core/reading-interface'
 import { randomSource } from './core-fixtures'
 
 const core = await loadReadingCore(readFileSync(new URL('../../build/hexlens-reading.wasm', import.meta.url)))
@@ -224,6 +224,76 @@ describe('rows', () => {
   test('with a whole number that has a point, a sign or sixteen digits are not taken', () => {
     for (const word of ['1.', '-1', '+1', '1e2', '1234567890123456'])
       expect(read(`${word} 2\n`, 'whole real end').numbers, word).toEqual([])
+  })
+})
+
+describe('integers of 64 bits', () => {
+  /** As little-endian bytes at an odd place in memory with others around. */
+  function bytesOfLong(list: ArrayLike<bigint>): Uint8Array {
+    const own = new Uint8Array(BigUint64Array.from(list, value => BigInt.asUintN(64, value)).buffer)
+    const memory = new Uint8Array(own.length + 9).fill(255)
+    memory.set(own, 3)
+    return memory.subarray(3, 3 + own.length)
+  }
+
+  function expectHalves(list: readonly bigint[], into?: Uint32Array<ArrayBuffer>): void {
+    const { list: low, high, parts } = core.lowHalves(bytesOfLong(list), into)
+    const signed = list.map(value => Number(BigInt.asIntN(32, value)))
+    expect(Buffer.compare(Buffer.from(low.slice().buffer), Buffer.from(Int32Array.from(signed).buffer))).toBe(0)
+    expect(high !== 0).toBe(list.some(value => BigInt.asUintN(64, value) >= 2n ** 32n))
+    const expected: number[] = []
+    for (let from = 0; from < signed.length; from += PART) {
+      const own = signed.slice(from, from + PART)
+      const steps = new Set(own.slice(1).map((value, i) => (value - (own[i] as number)) | 0))
+      const step = steps.size === 1 ? ([...steps][0] as number) : 0
+      expected.push(
+        own.reduce((a, b) => Math.min(a, b)),
+        own.reduce((a, b) => Math.max(a, b)),
+        step,
+      )
+    }
+    expect([...parts]).toEqual(expected)
+    expect(parts.length).toBe(KNOWN_OF_PART * Math.ceil(list.length / PART))
+  }
+
+  const random = randomSource(12)
+  const whole = (most: number) => BigInt(Math.floor(most * random()))
+  /** Parts, and more than what goes into the memory at once, whole and not. */
+  const lengths = [
+    ...Array.from({ length: 41 }, (_, i) => i),
+    PART,
+    PART + 1,
+    3 * PART - 5,
+    2 ** 17,
+    2 ** 17 + PART + 1,
+  ]
+  const kinds: Readonly<Record<string, (i: number) => bigint>> = {
+    'below 2^31': () => whole(2 ** 31),
+    'below 2^32': () => whole(2 ** 32),
+    'with high halves': i => (i % 37 === 36 ? whole(2 ** 32) << 32n : whole(100)),
+    negative: i => -1n - BigInt(i % 5),
+    'in steps of 8': i => 8n * BigInt(i + 1),
+    'in falling steps': i => 2n ** 31n - 1n - 3n * BigInt(i),
+    alike: () => 2n ** 31n - 1n,
+  }
+  test.each(Object.entries(kinds))('%s', (_, value) => {
+    for (const length of lengths) expectHalves(Array.from({ length }, (_, i) => value(i)))
+  })
+
+  test('one that is another in each place', () => {
+    for (let length = 1; length <= 20; ++length)
+      for (let at = 0; at < length; ++at)
+        for (const other of [0n, 2n ** 31n - 1n, 2n ** 31n, 2n ** 32n, 2n ** 63n, -1n])
+          expectHalves(Array.from({ length }, (_, i) => (i === at ? other : 8n * BigInt(i + 1))))
+  })
+
+  test('go into a part of a list that is there', () => {
+    const memory = new Uint32Array(100).fill(9)
+    expectHalves(
+      Array.from({ length: 50 }, (_, i) => BigInt(i)),
+      memory.subarray(20, 70),
+    )
+    expect([memory[19], memory[20], memory[69], memory[70]]).toEqual([9, 0, 49, 9])
   })
 })
 

@@ -1,5 +1,13 @@
 /** Loads hexlens-reading.wasm, and is the only place that sees its memory. The contracts are those of wasm/src/reading. */
-import type { ReadingCore, RowPattern, Taken, TakenRows } from './reading-interface'
+import {
+  KNOWN_OF_PART,
+  type LowHalves,
+  PART,
+  type ReadingCore,
+  type RowPattern,
+  type Taken,
+  type TakenRows,
+} from './reading-interface'
 
 interface ReadingExports {
   readonly memory: WebAssembly.Memory
@@ -14,9 +22,12 @@ interface ReadingExports {
   places_address(): number
   places_length(): number
   taken_address(): number
+  parts_address(): number
+  part_length(): number
   numbers(limit: number, length: number, most: number): void
   indices(limit: number, length: number, most: number, largest: number): void
   rows(length: number, parts: number, most: number): void
+  halves(count: number): void
   unzlib(length: number, unpacked: number): number
 }
 
@@ -48,6 +59,9 @@ export async function loadReadingCore(bytes: BufferSource): Promise<ReadingCore>
   const places = new Uint32Array(buffer, wasm.places_address(), wasm.places_length())
   const parts = new Uint8Array(buffer, wasm.pattern_address(), wasm.pattern_length())
   const taken = new Uint32Array(buffer, wasm.taken_address(), 4)
+  /** Four numbers each: hl_halves. */
+  const halves = new Int32Array(buffer, wasm.parts_address(), (4 * input.length) / 8 / wasm.part_length())
+  if (wasm.part_length() !== PART) throw new Error('The core for reading is of another version.')
   const rowNumbers = new Float64Array(doubles.length)
   const rowPlaces = new Uint32Array(places.length)
 
@@ -126,6 +140,23 @@ export async function loadReadingCore(bytes: BufferSource): Promise<ReadingCore>
     return { count, bytes: used, mostDigits, mostRounded, numbers: rowNumbers, places: rowPlaces }
   }
 
+  function lowHalves(bytes: Uint8Array, list = new Uint32Array(bytes.length / 8)): LowHalves {
+    const parts = new Int32Array(KNOWN_OF_PART * Math.ceil(list.length / PART))
+    const most = input.length / 8
+    let high = 0
+    for (let from = 0; from < list.length; from += most) {
+      const count = Math.min(most, list.length - from)
+      put(bytes, 8 * from, 8 * (from + count))
+      wasm.halves(count)
+      list.set(wholes.subarray(0, count), from)
+      for (let part = 0; part * PART < count; ++part) {
+        high |= halves[4 * part] as number
+        parts.set(halves.subarray(4 * part + 1, 4 * part + 4), KNOWN_OF_PART * (from / PART + part))
+      }
+    }
+    return { list, high, parts }
+  }
+
   function unzlib(packed: Uint8Array, unpacked: Uint8Array): boolean {
     if (packed.length > input.length || unpacked.length > output.length) return false
     put(packed, 0, packed.length)
@@ -134,5 +165,5 @@ export async function loadReadingCore(bytes: BufferSource): Promise<ReadingCore>
     return true
   }
 
-  return { numbers, indices, rows, unzlib }
+  return { numbers, indices, rows, lowHalves, unzlib }
 }

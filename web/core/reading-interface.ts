@@ -19,6 +19,19 @@ export interface TakenRows extends Taken {
   readonly places: Uint32Array
 }
 
+/** Integers of 64 bits in a file, little-endian, as their low halves. */
+export interface LowHalves {
+  readonly list: Uint32Array<ArrayBuffer>
+  /** 0 if no high half is anything else. */
+  readonly high: number
+  /** Of each `PART` numbers, as integers with a sign: the least, the greatest, and the step from each to the next; 0 where that is not the same. */
+  readonly parts: Int32Array<ArrayBuffer>
+}
+
+/** Numbers of a part, and what is known of each. */
+export const PART = 8192
+export const KNOWN_OF_PART = 3
+
 export interface ReadingCore {
   /**
    * Fills `list` from `from` to `to` with numbers between blanks from byte `at` on; ends before a word that begins at `limit` or later, and before
@@ -31,6 +44,9 @@ export interface ReadingCore {
 
   /** Rows of a pattern from byte `at` on that are whole before byte `end`; ends before the first that does not fit. Not all need be taken at once. */
   rows(bytes: Uint8Array, at: number, end: number, pattern: RowPattern): TakenRows
+
+  /** The low halves go into `list`, if that is given. */
+  lowHalves(bytes: Uint8Array, list?: Uint32Array<ArrayBuffer>): LowHalves
 
   /** Fills `output` from a zlib stream that must have just so many bytes. False if it has not, is damaged, or is too long to be done here. */
   unzlib(input: Uint8Array, output: Uint8Array): boolean

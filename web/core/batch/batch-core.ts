@@ -3,6 +3,7 @@
  * hexlens-batch.wasm; the contracts are those of wasm/include/hexlens.h.
  */
 import { COORDINATE_COUNT } from '../../model/hexahedron'
+import { CandidateList, type CandidateOptions, type Candidates } from './candidates'
 import {
   type Answers,
   addressesOf,
@@ -34,15 +35,32 @@ export interface Counts {
   readonly firstUnanswered: number | null
   /** Cells that integers decided; 0 unless the list `exact` or minima are asked for. */
   readonly exactCount: number
+  /** Cells of the class inverted, with coincident vertices, and invalid ones that checks accept, in the lists that are asked for; else 0. */
+  readonly invertedCount: number
+  readonly coincidentCount: number
+  readonly acceptedByCornersCount: number
+  readonly acceptedByVtkCount: number
+  /** Null unless it is asked for. Told is nothing where a cell is unanswered. */
+  readonly box: Box | null
 }
 
-export type PieceResult<W extends Wanted = Wanted> = Answers<W> & Counts
+/** Least x, y and z of some cells' vertices, then the greatest; infinities of no cell. */
+export type Box = readonly [number, number, number, number, number, number]
+
+export type PieceResult<W extends Wanted = Wanted> = Answers<W> & Counts & WithCandidates
+
+export interface WithCandidates {
+  /** Null where they were not asked for, or are too many. */
+  readonly candidates: Candidates | null
+}
 
 export interface BatchOptions {
   /** Makes room for the answers to so many cells, when the cells are no longer read; else they get new lists. */
   readonly into?: (count: number) => Lists
   /** Called now and then with how many cells are done. */
   readonly onProgress?: (done: number) => void
+  /** Only together with minima. */
+  readonly worst?: CandidateOptions | null
 }
 
 export interface BatchCore {
@@ -57,11 +75,23 @@ interface BatchExports {
   _initialize?(): void
   lists_address(): number
   counts_address(): number
-  classify(coordinates: number, coordinateCount: number, indices: number, indexCount: number): number
+  box_address(): number
+  candidates_address(): number
+  about_address(): number
+  take_from(indices: number, count: number, first: number): void
+  classify(
+    coordinates: number,
+    coordinateCount: number,
+    indices: number,
+    indexCount: number,
+    hasBox: number,
+    hasCandidates: number,
+    limit: number,
+  ): number
 }
 
 const VERTICES = 8
-const COUNT_COUNT = 5
+const COUNT_COUNT = 10
 const HL_OK = 0
 const WASM_PAGE = 65536
 
@@ -82,7 +112,23 @@ export function sumOfCounts(a: Counts, b: Counts, first: number): Counts {
     unansweredCount: a.unansweredCount + b.unansweredCount,
     firstUnanswered: cells.length > 0 ? Math.min(...cells) : null,
     exactCount: a.exactCount + b.exactCount,
+    invertedCount: a.invertedCount + b.invertedCount,
+    coincidentCount: a.coincidentCount + b.coincidentCount,
+    acceptedByCornersCount: a.acceptedByCornersCount + b.acceptedByCornersCount,
+    acceptedByVtkCount: a.acceptedByVtkCount + b.acceptedByVtkCount,
+    box: a.box && b.box ? boxOfBoth(a.box, b.box) : (a.box ?? b.box),
   }
+}
+
+function boxOfBoth(a: Box, b: Box): Box {
+  return a.map((own, i) => (i < 3 ? Math.min : Math.max)(own, b[i] as number)) as unknown as Box
+}
+
+/** Without the lists beside them. */
+export function countsOf(all: Counts): Counts {
+  return Object.fromEntries(
+    Object.keys(NOTHING_COUNTED).map(key => [key, all[key as keyof Counts]]),
+  ) as unknown as Counts
 }
 
 export const NOTHING_COUNTED: Counts = {
@@ -91,7 +137,14 @@ export const NOTHING_COUNTED: Counts = {
   unansweredCount: 0,
   firstUnanswered: null,
   exactCount: 0,
+  invertedCount: 0,
+  coincidentCount: 0,
+  acceptedByCornersCount: 0,
+  acceptedByVtkCount: 0,
+  box: null,
 }
+
+const EMPTY_BOX: Box = [Infinity, Infinity, Infinity, -Infinity, -Infinity, -Infinity]
 
 /** Starts the core in a compiled hexlens-batch.wasm or hexlens-scalar.wasm. */
 export async function loadBatchCore(module: WebAssembly.Module): Promise<BatchCore> {
@@ -124,7 +177,7 @@ export async function loadBatchCore(module: WebAssembly.Module): Promise<BatchCo
     heldCount = points.length
   }
 
-  function classify(piece: Piece, wanted: Wanted, { into, onProgress }: BatchOptions = {}): PieceResult {
+  function classify(piece: Piece, wanted: Wanted, { into, onProgress, worst = null }: BatchOptions = {}): PieceResult {
     const { points, cells } = piece
     const count = cellCount(piece)
     const coordinateCount = points?.length ?? heldCount
@@ -136,53 +189,79 @@ export async function loadBatchCore(module: WebAssembly.Module): Promise<BatchCo
     const atPoints = points ? atOwn : start
     if (cells) {
       if (points) new Float64Array(memory.buffer, atPoints, points.length).set(points)
-      copyIndices(cells, piece.firstPoint, new Uint32Array(memory.buffer, atCells, cells.length))
+      new Uint32Array(memory.buffer, atCells, cells.length).set(cells)
+      // An index before the first point becomes one that is far too large.
+      if (piece.firstPoint > 0) wasm.take_from(atCells, cells.length, piece.firstPoint)
     }
     const lists = listsIn(memory.buffer, count, wanted, atLists)
+    const box = new Float64Array(memory.buffer, wasm.box_address(), EMPTY_BOX.length)
+    box.set(EMPTY_BOX)
+    const list = worst && new CandidateList(worst)
     let counts = NOTHING_COUNTED
     for (let first = 0, end = 0; first < count; first = end) {
       end = Math.min(first + CELLS_PER_CUT, count)
       const addresses = addressesOf(lists, first)
       new Uint32Array(memory.buffer, wasm.lists_address(), addresses.length).set(addresses)
       counts = sumOfCounts(counts, cells ? indexed(first, end) : plain(first, end), first)
+      if (list) takeCandidates(list, first)
       onProgress?.(end)
     }
-    keepValid(answersOf(lists).valid)
     const answers = into ? into(count) : emptyLists(count, wanted)
     putLists(lists, answers, 0)
-    return { ...answersOf(answers), ...counts }
+    return {
+      ...answersOf(answers),
+      ...counts,
+      box: wanted.box ? ([...box] as unknown as Box) : null,
+      candidates: list?.candidates ?? null,
+    }
 
     function plain(first: number, end: number): Counts {
       const part = (points as Float64Array).subarray(COORDINATE_COUNT * first, COORDINATE_COUNT * end)
       new Float64Array(memory.buffer, atPoints, part.length).set(part)
-      return counted(wasm.classify(atPoints, part.length, 0, 0), end - first)
+      return counted(wasm.classify(atPoints, part.length, 0, 0, ...flags()), end - first)
     }
 
     function indexed(first: number, end: number): Counts {
-      const status = wasm.classify(atPoints, coordinateCount, atCells + 4 * VERTICES * first, VERTICES * (end - first))
+      const at = atCells + 4 * VERTICES * first
+      const status = wasm.classify(atPoints, coordinateCount, at, VERTICES * (end - first), ...flags())
       return counted(status, end - first)
+    }
+
+    function flags() {
+      return [Number(wanted.box === true), Number(list !== null), list?.limit ?? 0] as const
     }
   }
 
   function counted(status: number, count: number): Counts {
     if (status !== HL_OK) throw new Error(`The core answered a batch with the status ${status}.`)
     const numbers = new Uint32Array(memory.buffer, wasm.counts_address(), COUNT_COUNT)
-    const [validCount, invalidCount, unansweredCount, exactCount, first] = numbers as unknown as number[] as Five
-    return { validCount, invalidCount, unansweredCount, firstUnanswered: first < count ? first : null, exactCount }
+    const [validCount, invalidCount, unansweredCount, exactCount, first, ...more] = numbers as unknown as Ten
+    const [invertedCount, coincidentCount, acceptedByCornersCount, acceptedByVtkCount] = more
+    return {
+      validCount,
+      invalidCount,
+      unansweredCount,
+      firstUnanswered: first < count ? first : null,
+      exactCount,
+      invertedCount,
+      coincidentCount,
+      acceptedByCornersCount,
+      acceptedByVtkCount,
+      box: null,
+    }
+  }
+
+  /** Of the last call. */
+  function takeCandidates(list: CandidateList, first: number): void {
+    const [count] = new Uint32Array(memory.buffer, wasm.counts_address() + 4 * (COUNT_COUNT - 1), 1)
+    const about = new Float32Array(memory.buffer, wasm.about_address(), CELLS_PER_CUT)
+    for (const cell of new Uint32Array(memory.buffer, wasm.candidates_address(), count)) {
+      const own = about[cell] as number
+      list.take(first + cell, Number.isNaN(own) ? -Infinity : own)
+    }
   }
 
   return { classify: classify as BatchCore['classify'], hold }
 }
 
-type Five = [number, number, number, number, number]
-
-/** Of HL_VALID, HL_INVALID and HL_UNANSWERED. A function of its own, so that no engine makes fast code of all around the loop. */
-function keepValid(verdicts: Uint8Array): void {
-  for (let cell = 0; cell < verdicts.length; ++cell) verdicts[cell] = (verdicts[cell] as number) & 1
-}
-
-/** An index before `firstPoint` becomes one that is far too large. */
-function copyIndices(from: Uint32Array, firstPoint: number, to: Uint32Array): void {
-  if (firstPoint === 0) to.set(from)
-  else for (let i = 0; i < from.length; ++i) to[i] = (from[i] as number) - firstPoint
-}
+type Ten = [number, number, number, number, number, number, number, number, number, number]

@@ -1,6 +1,7 @@
 /** The jobs of a worker for batches: one wasm instance, one piece after another. */
 import { seldom } from '../workers'
-import { type Counts, loadBatchCore, type Piece } from './batch-core'
+import { type Counts, countsOf, loadBatchCore, type Piece } from './batch-core'
+import type { CandidateOptions, Candidates } from './candidates'
 import { listsIn, type Wanted } from './lists'
 
 export interface BatchJob {
@@ -8,11 +9,13 @@ export interface BatchJob {
   /** Memory for the answers, which will lie at its beginning (listsIn); the piece may lie in it. */
   readonly block: ArrayBuffer
   readonly wanted: Wanted
+  readonly worst?: CandidateOptions | null
 }
 
 /** All memory of the job comes back, and is filled again. */
-export interface BatchAnswer extends Omit<BatchJob, 'wanted'> {
+export interface BatchAnswer extends Omit<BatchJob, 'wanted' | 'worst'> {
   readonly counts: Counts
+  readonly candidates: Candidates | null
 }
 
 export type BatchJobs = {
@@ -24,12 +27,10 @@ export type BatchJobs = {
 export async function startBatchJobs(module: WebAssembly.Module) {
   const core = await loadBatchCore(module)
   const jobs: BatchJobs = {
-    classify({ piece, block, wanted }, tell) {
-      const { validCount, invalidCount, unansweredCount, firstUnanswered, exactCount } = core.classify(piece, wanted, {
-        into: count => listsIn(block, count, wanted),
-        onProgress: seldom(tell),
-      })
-      return { counts: { validCount, invalidCount, unansweredCount, firstUnanswered, exactCount }, piece, block }
+    classify({ piece, block, wanted, worst = null }, tell) {
+      const into = (count: number) => listsIn(block, count, wanted)
+      const found = core.classify(piece, wanted, { into, onProgress: seldom(tell), worst })
+      return { counts: countsOf(found), candidates: found.candidates, piece, block }
     },
   }
   return { core, jobs }

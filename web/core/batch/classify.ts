@@ -4,7 +4,7 @@
  */
 import type { CoreError, Result } from '../report'
 import { Pool, type PoolOptions, unlessAborted } from '../workers'
-import { type Counts, cellCount, NOTHING_COUNTED, type Piece, sumOfCounts } from './batch-core'
+import { type Counts, cellCount, NOTHING_COUNTED, type Piece, sumOfCounts, type WithCandidates } from './batch-core'
 import type { BatchJobs } from './batch-jobs'
 import { type Answers, answersOf, bytesPerCell, emptyLists, listsIn, putLists, type Wanted, wantedOf } from './lists'
 import { type Cut, isWhole, pieces, Recycled } from './pieces'
@@ -24,7 +24,7 @@ export interface ClassifyOptions extends Wanted {
 }
 
 /** Lists that were not asked for are null. */
-export type Classification<W extends Wanted = Wanted> = Answers<W> & Counts
+export type Classification<W extends Wanted = Wanted> = Answers<W> & Counts & Partial<WithCandidates>
 
 export interface StreamOptions extends Omit<ClassifyOptions, 'onProgress'> {
   /**

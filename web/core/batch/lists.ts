@@ -15,8 +15,10 @@ export interface Wanted {
   readonly coincident?: boolean
   /** Only together with minima. */
   readonly acceptedInvalid?: boolean
-  /** Only together with minima. */
-  readonly relativeAbout?: boolean
+  /** No list: the box of the cells (Counts). */
+  readonly box?: boolean
+  /** No list: candidates for so many of the worst cells. Only together with minima. */
+  readonly worst?: number
 }
 
 /** Jacdets on [0,1]^3, times 2^exponent, which is 0 wherever the doubles have room for the values. */
@@ -52,12 +54,7 @@ interface AllLists {
   readonly coincident: Uint8Array
   /** The checks among the corners and VTK's scaled Jacobian that accept an invalid cell, as in `acceptedBy`; 0 for a valid one. */
   readonly acceptedInvalid: Uint8Array
-  /** The relative minimum within `ABOUT` of itself; NaN where that is not certain. */
-  readonly relativeAbout: Float32Array
 }
-
-/** The relative error of `relativeAbout` at most, (L5). */
-export const ABOUT = 2 ** -20
 
 /** Why a cell is unanswered, by its status; undefined if it is answered. */
 export type CellStatus = Extract<CoreErrorCode, 'not-finite'> | 'no-such-point'
@@ -79,7 +76,7 @@ export type Answers<W extends Wanted = Wanted> = {
 
 interface Description {
   readonly askedBy: keyof Wanted | 'always'
-  readonly type: typeof Float64Array | typeof Float32Array | typeof Int16Array | typeof Uint16Array | typeof Uint8Array
+  readonly type: typeof Float64Array | typeof Int16Array | typeof Uint16Array | typeof Uint8Array
   /** Entries a cell. */
   readonly each: number
 }
@@ -100,23 +97,18 @@ const LISTS: readonly Description[] = [
   { askedBy: 'volumes', type: Int16Array, each: 1 }, // exponents
   { askedBy: 'coincident', type: Uint8Array, each: 1 },
   { askedBy: 'acceptedInvalid', type: Uint8Array, each: 1 },
-  { askedBy: 'relativeAbout', type: Float32Array, each: 1 },
 ]
 
-type List =
-  | Float64Array<ArrayBuffer>
-  | Float32Array<ArrayBuffer>
-  | Int16Array<ArrayBuffer>
-  | Uint16Array<ArrayBuffer>
-  | Uint8Array<ArrayBuffer>
+type List = Float64Array<ArrayBuffer> | Int16Array<ArrayBuffer> | Uint16Array<ArrayBuffer> | Uint8Array<ArrayBuffer>
 
 /** One entry for each of LISTS, null if it was not asked for. */
 export type Lists = readonly (List | null)[]
 
-/** The flags of the lists alone, as a message takes them. */
+/** The flags alone, as a message takes them. */
 export function wantedOf(options: Wanted): Wanted {
   const isAsked = isAskedBy(options)
-  return Object.fromEntries(LISTS.map(list => [list.askedBy, isAsked(list)]))
+  const flags = Object.fromEntries(LISTS.map(list => [list.askedBy, isAsked(list)]))
+  return { ...flags, box: options.box === true, worst: options.worst ?? 0 }
 }
 
 function isAskedBy(wanted: Wanted): (list: Description) => boolean {
@@ -177,7 +169,7 @@ export function addressesOf(lists: Lists, first: number): number[] {
 /** The lists by name. The first holds verdicts, whose HL_VALID is 1, or already 1 and 0. */
 export function answersOf(lists: Lists): Answers {
   const [valid, statuses, exact, classes, acceptedBy, values, minimizers, cornerMinima, exponents, ...more] = lists
-  const [relativeMinima, volumes, volumeExponents, coincident, acceptedInvalid, relativeAbout] = more
+  const [relativeMinima, volumes, volumeExponents, coincident, acceptedInvalid] = more
   return {
     valid,
     minima: values && { values, minimizers: minimizers ?? new Float64Array(0), cornerMinima, exponents },
@@ -189,6 +181,5 @@ export function answersOf(lists: Lists): Answers {
     statuses,
     coincident,
     acceptedInvalid,
-    relativeAbout,
   } as Answers
 }
