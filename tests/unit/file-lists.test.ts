@@ -1,43 +1,23 @@
-/** Lists of a file that is read beforehand: where they lie, and integers of 64 bits as their low halves. */
+/** Lists of a file that is read beforehand: where they lie, and what is known of them beforehand. */
 import { readFileSync } from 'node:fs'
 import { describe, expect, test } from 'vitest'
 import { loadReadingCore } from '../../web/core/reading-core'
-import { lowHalves, PART } from '../../web/input/low-halves'
 import { packedParts, unpackedPart } from '../../web/input/unpacking'
 import type { Mesh } from '../../web/mesh/mesh'
 import { listsIn, readMeshes } from '../../web/mesh/read-mesh'
 import { type FileList, fileOfBytes, type MeshFile, type PackedBlocks, type UnpackedList } from '../../web/mesh/source'
 import { practiceFile } from '../../web/survey/practice'
-import { randomSource } from './core-fixtures'
 import { BLOCK, packedVtu } from './packed-vtu'
 
-const bytes = new Uint8Array(await practiceFile().arrayBuffer())
+const bytes = new Uint8Array(await practiceFile(0.6).arrayBuffer())
 const file = fileOfBytes('practice.vtu', bytes)
+const core = await loadReadingCore(readFileSync(new URL('../../build/hexlens-reading.wasm', import.meta.url)))
 
 /** By their bytes: millions of numbers. */
 function areEqual(a: ArrayBufferView | undefined, b: ArrayBufferView | undefined): boolean {
   const of = (list: ArrayBufferView) => Buffer.from(list.buffer as ArrayBuffer, list.byteOffset, list.byteLength)
   return a !== undefined && b !== undefined && of(a).equals(of(b))
 }
-
-test('low halves, high halves and ranges, seed 4', () => {
-  const random = randomSource(4)
-  const list = Float64Array.from({ length: 2 * PART + 100 }, () => Math.floor(2 ** 31 * random()))
-  const long = BigInt64Array.from(list, BigInt)
-  const found = lowHalves(long.buffer)
-  expect([...found.list]).toEqual([...list])
-  expect(found.high).toBe(0)
-  expect([...found.ranges]).toEqual(
-    [0, 1, 2].flatMap(part => {
-      const own = [...list.subarray(PART * part, PART * (part + 1))]
-      return [Math.min(...own), Math.max(...own)]
-    }),
-  )
-  long[PART] = 2n ** 32n
-  expect(lowHalves(long.buffer).high).not.toBe(0)
-  long[PART] = -1n
-  expect(lowHalves(long.buffer).high).not.toBe(0)
-})
 
 describe('a raw VTU', () => {
   const lists = listsIn(file)
@@ -51,7 +31,7 @@ describe('a raw VTU', () => {
     ])
     const [points, cells] = lists.map(({ from, to }) => bytes.slice(from, to).buffer)
     expect(areEqual(new Float64Array(points as ArrayBuffer), mesh?.points)).toBe(true)
-    expect(areEqual(lowHalves(cells as ArrayBuffer).list, mesh?.cells)).toBe(true)
+    expect(areEqual(core.lowHalves(new Uint8Array(cells as ArrayBuffer)).list, mesh?.cells)).toBe(true)
   })
 
   test('is read the same with the halves that were taken beforehand, and without those that have more', () => {
@@ -60,8 +40,9 @@ describe('a raw VTU', () => {
       lowHalves(from, count) {
         const own = lists.find(list => list.from === from && list.isLong)
         if (!isWhole || !own || own.to - own.from !== 8 * count) return null
-        const { list, ranges } = lowHalves(bytes.slice(own.from, own.to).buffer)
-        return { list, greatest: Math.max(...ranges) }
+        const { list, parts } = core.lowHalves(bytes.subarray(own.from, own.to))
+        const isOfEnds = own.holds === null
+        return { list, greatest: list.reduce((a, b) => Math.max(a, b)), step: isOfEnds ? (parts[2] as number) : 0 }
       },
     })
     for (const isWhole of [true, false]) {
@@ -80,7 +61,6 @@ describe('a raw VTU', () => {
   })
 })
 
-const core = await loadReadingCore(readFileSync(new URL('../../build/hexlens-reading.wasm', import.meta.url)))
 /** A list of the parts that were unpacked; null if one was damaged. */
 function unpacked(bytes: Uint8Array, { to, isLong, packed }: FileList): UnpackedList | null {
   const blocks = packed as PackedBlocks

@@ -1,10 +1,11 @@
 /** Verdicts of a mesh's cells where it is read: few by the core, many by the core for batches, where that starts. */
-import { type BatchCore, type BatchOptions, loadBatchCore } from '../core/batch/batch-core'
+import { type BatchCore, type BatchOptions, loadBatchCore, NOTHING_COUNTED } from '../core/batch/batch-core'
 import { type Answers, answersOf, emptyLists, STATUSES, type Wanted } from '../core/batch/lists'
 import type { Core, Report } from '../core/report'
 import { CHECKS, CLASSES } from '../core/unpack'
 import { CORNERS, VTK } from '../mesh/accepted-invalid'
 import type { ClassifyCells } from '../mesh/check'
+import { countsIn } from '../mesh/counts-in'
 import { verticesOf } from '../mesh/vertices-of'
 
 /** Cells that the core answers sooner than the core for batches would have started. */
@@ -22,7 +23,8 @@ export function cellClassifier(
     const options = { onProgress: (done: number) => onProgress(done, total) }
     if (total > FEW) batch ??= batchModule().then(loadBatchCore, () => null)
     const batchCore = total > FEW ? await batch : null
-    if (batchCore) return batchCore.classify({ points, cells, firstPoint: 0 }, wanted, options)
+    const worst = wanted.worst ? { few: wanted.worst, limit: Infinity } : null
+    if (batchCore) return batchCore.classify({ points, cells, firstPoint: 0 }, wanted, { ...options, worst })
     return oneByOne(core, { points, cells }, wanted, options)
   }
   return classify as ClassifyCells
@@ -53,7 +55,8 @@ function oneByOne(
     if (cell % 256 === 255) onProgress(cell)
   }
   const invalidCount = count - validCount - unansweredCount
-  return { ...answers, validCount, invalidCount, unansweredCount, firstUnanswered, exactCount }
+  const counts = { validCount, invalidCount, unansweredCount, firstUnanswered, exactCount }
+  return { ...answers, ...NOTHING_COUNTED, ...countsIn(answers), ...counts, candidates: null }
 }
 
 function put(
@@ -77,14 +80,12 @@ function put(
   }
   const accepting = report.checks.reduce((mask, { id, passes }) => mask | (Number(passes) << CHECKS.indexOf(id)), 0)
   if (acceptedBy) acceptedBy[cell] = accepting
-  const { coincident, acceptedInvalid, relativeAbout } = hints
+  const { coincident, acceptedInvalid } = hints
   if (coincident) coincident[cell] = Number(report.coincident.length > 0)
   if (acceptedInvalid) acceptedInvalid[cell] = report.valid ? 0 : accepting & (CORNERS | VTK)
-  if (relativeAbout) relativeAbout[cell] = Number.NaN
 }
 
-function putUnanswered({ minima, relativeMinima, relativeAbout, volumes, statuses }: Answers, cell: number): void {
-  relativeAbout?.fill(Number.NaN, cell, cell + 1)
+function putUnanswered({ minima, relativeMinima, volumes, statuses }: Answers, cell: number): void {
   if (relativeMinima) relativeMinima[cell] = Number.NaN
   if (statuses) statuses[cell] = STATUSES.indexOf('not-finite')
   minima?.values.fill(Number.NaN, cell, cell + 1)

@@ -3,21 +3,23 @@
  * list of numbers is a slice of its own, so that it is not copied; integers of 64 bits become their low halves slice by slice, while the
  * next ones are read.
  */
-import type { ReadingCore } from '../core/reading-interface'
+import { KNOWN_OF_PART, type LowHalves, PART, type ReadingCore } from '../core/reading-interface'
 import { listsIn } from '../mesh/read-mesh'
-import type { FileList, MeshFile, PackedBlocks, UnpackedList } from '../mesh/source'
+import type { FileList, KnownIndices, MeshFile, PackedBlocks, UnpackedList } from '../mesh/source'
 import { meshFileOf } from './file-reading'
-import { type LowHalves, lowHalves, PART } from './low-halves'
+import { eachPiece, PIECE } from './pieces-of'
 import { type PackedPart, packedParts, type UnpackedPart, unpackedPart } from './unpacking'
 
-/** Bytes of a slice, and slices under way. */
-const SLICE = 8 * 1024 * 1024
-const AT_ONCE = 3
+/** Bytes of a slice, of a list at least, and slices under way. */
+const SLICE = 16 * PIECE
+const AT_ONCE = 2
 /** What another reader has under way: whoever hands it out may be busy. */
-const AHEAD = 3
+const AHEAD = 2
 /** Shorter files are read at once anyway; longer ones stay where they are and are read in parts. */
 const SHORT = 1024 * 1024
 const LONG = 1024 * 1024 * 1024
+/** Less than that between two lists is not read beforehand. */
+const LITTLE = 1024
 /** Eight indices of 64 bits. */
 const BYTES_OF_A_CELL = 64
 
@@ -26,20 +28,26 @@ export interface FileAtHand extends MeshFile {
   close(): void
 }
 
-interface Slice {
+/** Bytes of the file. */
+interface Stretch {
   readonly from: number
   readonly to: number
+}
+
+interface Slice extends Stretch {
   /** Null before it is read, and once its bytes are somebody's, or were of no more use. */
   bytes: Uint8Array<ArrayBuffer> | null
   readonly halves: Halves | null
-  isRead: boolean
+  /** Its bytes before that one are read. */
+  readTo: number
 }
 
 /** The low halves of a list of integers of 64 bits. */
 interface Halves {
   readonly from: number
   readonly list: Uint32Array<ArrayBuffer>
-  readonly ranges: Int32Array<ArrayBuffer>
+  /** As of LowHalves. */
+  readonly parts: Int32Array<ArrayBuffer>
   /** 0 as long as no high half is anything else. */
   high: number
 }
@@ -47,16 +55,21 @@ interface Halves {
 /** Called while the file is read with the points and the first so many of the cells that its reader may find there. */
 export type OnCells = (points: Float64Array, cells: CellsInParts, count: number) => void
 
+export interface HalvesOfPiece extends LowHalves {
+  /** Bytes before them. */
+  readonly at: number
+}
+
 export interface CellsInParts {
   readonly list: Uint32Array
-  /** The least and the greatest index of each `PART` of them. */
-  readonly ranges: Int32Array
+  /** As of LowHalves. */
+  readonly parts: Int32Array
 }
 
 /** Somebody else who reads parts of a file; a promise that rejects is of one who does no more. */
 export interface PartReader {
-  /** Integers of 64 bits. */
-  halve(bytes: Blob): Promise<LowHalves>
+  /** Integers of 64 bits, piece after piece. */
+  halve(bytes: Blob, onPiece: (piece: HalvesOfPiece) => void): Promise<unknown>
   /** Compressed blocks; null where they are damaged. */
   unpack(bytes: Blob, part: PackedPart): Promise<UnpackedPart | null>
 }
@@ -74,8 +87,8 @@ export async function fileAtHand(
 ): Promise<FileAtHand> {
   const own = meshFileOf(file)
   if (file.size < SHORT || file.size > LONG) return { ...own, close: () => {} }
-  const lists = listsIn(own).filter(({ packed }) => packed === null || core !== null)
-  const slices = slicesOf(lists, file.size)
+  const lists = listsIn(own).filter(({ packed, isLong }) => core !== null || (packed === null && !isLong))
+  const slices = slicesOf(lists, file.size, 1 + readers.length)
   const unpacking = lists.flatMap(list => (list.packed ? [new Unpacking(list, list.packed)] : []))
   const [of, cells] = (['points', 'hexahedra'] as const).map(holds => lists.filter(list => list.holds === holds))
   /** Where there are points and hexahedra of one kind each. */
@@ -87,33 +100,47 @@ export async function fileAtHand(
 
   function tellOfCells(): void {
     const ofCells = slices.filter(slice => slice.halves?.from === told?.cells)
-    const missing = ofCells.find(slice => !slice.isRead)
-    const [{ halves, from }, end] = [ofCells[0] as Slice, missing?.from ?? ofCells.at(-1)?.to ?? 0]
+    const missing = ofCells.find(({ readTo, to }) => readTo < to)
+    const [{ halves, from }, end] = [ofCells[0] as Slice, missing?.readTo ?? ofCells.at(-1)?.to ?? 0]
     const known = Math.floor((end - from) / BYTES_OF_A_CELL)
     if (!points || !halves || halves.high !== 0 || known === toldCells) return
     toldCells = known
     onCells(points, halves, known)
   }
-  const waiting = slices.filter(({ isRead }) => !isRead)
+  const waiting = slices.filter(({ readTo, to }) => readTo < to)
   const packed: Packed[] = unpacking.flatMap(each => each.parts.map(part => ({ each, part })))
-  const total = waiting.length + packed.length
+  const total = [...waiting, ...packed.map(({ part }) => part)].reduce((sum, { from, to }) => sum + to - from, 0)
 
-  function took(slice: Slice): void {
-    slice.isRead = true
-    onProgress(++done / total)
+  function took(bytes: number): void {
+    done += bytes
+    onProgress(done / total)
+  }
+
+  function tookOf(slice: Slice, to: number): void {
+    // Another reader may have failed behind it.
+    if (to <= slice.readTo) return
+    took(to - slice.readTo)
+    slice.readTo = to
     if (told) tellOfCells()
   }
 
   async function read(slice: Slice): Promise<void> {
+    const { halves, from, to } = slice
+    if (halves) {
+      await eachPiece(bytesOf(slice), (bytes, at) => {
+        const own = { from: from + at, to: from + at + bytes.length }
+        put((core as ReadingCore).lowHalves(bytes, partOf(own, halves)), own, halves)
+        tookOf(slice, own.to)
+      })
+      return
+    }
     const bytes = await bytesOf(slice).arrayBuffer()
-    const { halves } = slice
-    if (halves) put(lowHalves(bytes, partOf(slice, halves)), slice, halves)
-    else slice.bytes = new Uint8Array(bytes)
-    if (told && slice.from === told.points) points = new Float64Array(bytes)
-    took(slice)
+    slice.bytes = new Uint8Array(bytes)
+    if (told && from === told.points) points = new Float64Array(bytes)
+    tookOf(slice, to)
   }
 
-  const bytesOf = ({ from, to }: { readonly from: number; readonly to: number }) => file.slice(from, to)
+  const bytesOf = ({ from, to }: Stretch) => file.slice(from, to)
 
   async function readAll(): Promise<void> {
     for (let slice = waiting.shift(); slice; slice = waiting.shift()) await read(slice)
@@ -122,7 +149,7 @@ export async function fileAtHand(
 
   async function unpackHere({ each, part }: Packed): Promise<void> {
     each.put(part, unpackedPart(await bytesOf(part).arrayBuffer(), part, core as ReadingCore))
-    onProgress(++done / total)
+    took(part.to - part.from)
   }
 
   async function readElsewhere({ halve, unpack }: PartReader): Promise<void> {
@@ -130,7 +157,7 @@ export async function fileAtHand(
       const { each, part } = next
       try {
         each.put(part, await unpack(bytesOf(part), part))
-        onProgress(++done / total)
+        took(part.to - part.from)
       } catch {
         return unpackHere(next)
       }
@@ -141,10 +168,13 @@ export async function fileAtHand(
       if (!slice) return
       const halves = slice.halves as Halves
       try {
-        const found = await halve(bytesOf(slice))
-        partOf(slice, halves).set(found.list)
-        put(found, slice, halves)
-        took(slice)
+        await halve(bytesOf(slice), piece => {
+          const from = slice.from + piece.at
+          const own = { from, to: from + 8 * piece.list.length }
+          partOf(own, halves).set(piece.list)
+          put(piece, own, halves)
+          tookOf(slice, own.to)
+        })
       } catch {
         return read(slice)
       }
@@ -166,10 +196,7 @@ export async function fileAtHand(
     },
     lowHalves(from, count) {
       const { halves } = slices.find(slice => slice.halves?.from === from) ?? {}
-      if (halves?.high !== 0 || halves.list.length !== count) return null
-      // Of those from 2^31 on the least is negative.
-      const isSigned = halves.ranges.every(each => each >= 0)
-      return isSigned ? { list: halves.list, greatest: halves.ranges.reduce((a, b) => Math.max(a, b), 0) } : null
+      return halves?.high === 0 && halves.list.length === count ? knownIndices(halves) : null
     },
     unpacked: from => unpacking.find(each => each.from === from)?.found() ?? null,
     close() {
@@ -212,40 +239,63 @@ class Unpacking {
 }
 
 /** All of a file: its lists, and what lies between them. */
-function slicesOf(lists: readonly FileList[], size: number): Slice[] {
+function slicesOf(lists: readonly FileList[], size: number, readerCount: number): Slice[] {
   const slices: Slice[] = []
   let at = 0
-  const cutTo = (end: number, longest: number, halves: Halves | null) => {
-    for (; at < end; at = Math.min(at + longest, end))
-      slices.push({ from: at, to: Math.min(at + longest, end), bytes: null, halves, isRead: false })
+  const cutTo = (end: number, longest: (left: number) => number, halves: Halves | null) => {
+    while (at < end) {
+      const to = Math.min(at + longest(end - at), end)
+      slices.push({ from: at, to, bytes: null, halves, readTo: at })
+      at = to
+    }
   }
+  // What is left is shared out: long at first, as each takes a while to begin, and short in the end.
+  const share = (left: number) => Math.max(SLICE, PIECE * Math.ceil(left / readerCount / PIECE))
   for (const { from, to, isLong, packed } of lists.toSorted((a, b) => a.from - b.from)) {
     // Lists that overlap are a damaged file's.
     if (from < at) continue
-    cutTo(from, SLICE, null)
+    cutTo(from, () => SLICE, null)
     if (packed) {
       // Others read it.
-      slices.push({ from, to, bytes: null, halves: null, isRead: true })
+      slices.push({ from, to, bytes: null, halves: null, readTo: to })
       at = to
       continue
     }
     const count = (to - from) / 8
-    const ranges = new Int32Array(2 * Math.ceil(count / PART))
-    if (isLong) cutTo(to, SLICE, { from, list: new Uint32Array(count), ranges, high: 0 })
-    else cutTo(to, Infinity, null)
+    const parts = new Int32Array(KNOWN_OF_PART * Math.ceil(count / PART))
+    if (isLong) cutTo(to, share, { from, list: new Uint32Array(count), parts, high: 0 })
+    else cutTo(to, left => left, null)
   }
-  cutTo(size, SLICE, null)
+  cutTo(size, () => SLICE, null)
+  // Such as the length of a list before it: whoever asks for it reads it.
+  for (const slice of slices) if (slice.to - slice.from < LITTLE) slice.readTo = slice.to
   return slices
 }
 
-/** Slices are whole parts, but for the last. */
-function put({ high, ranges }: LowHalves, { from }: Slice, halves: Halves): void {
+/** Of a piece; pieces are whole parts, but for the last of a list. */
+function put({ high, parts }: LowHalves, { from }: Stretch, halves: Halves): void {
   halves.high |= high
-  halves.ranges.set(ranges, (2 * (from - halves.from)) / (8 * PART))
+  halves.parts.set(parts, (KNOWN_OF_PART * (from - halves.from)) / (8 * PART))
 }
 
-/** The numbers of a slice. */
-function partOf({ from, to }: Slice, { from: first, list }: Halves): Uint32Array<ArrayBuffer> {
+/** Null where one has 2^31 or more. */
+function knownIndices({ list, parts }: Halves): KnownIndices | null {
+  const first = list[0] ?? 0
+  let greatest = 0
+  let step = (parts[2] as number) ?? 0
+  for (let at = 0, before = 0; at < parts.length; at += KNOWN_OF_PART, before += PART) {
+    const [least, most, own] = [parts[at], parts[at + 1], parts[at + 2]] as [number, number, number]
+    // As integers with a sign these are negative.
+    if (least < 0) return null
+    greatest = Math.max(greatest, most)
+    const isAlone = before + 1 === list.length
+    if ((own !== step && !isAlone) || list[before] !== first + step * before) step = 0
+  }
+  return { list, greatest, step }
+}
+
+/** The numbers of a piece. */
+function partOf({ from, to }: Stretch, { from: first, list }: Halves): Uint32Array<ArrayBuffer> {
   return list.subarray((from - first) / 8, (to - first) / 8)
 }
 

@@ -2,7 +2,6 @@
 import type { ReadingCore } from '../core/reading-interface'
 import { decodedBase64 } from '../mesh/byte-source'
 import type { PackedBlocks } from '../mesh/source'
-import { lowHalves } from './low-halves'
 
 /** Some blocks. */
 export interface PackedPart {
@@ -71,7 +70,7 @@ export function unpackedPart(text: ArrayBuffer, part: PackedPart, core: ReadingC
     at = end
   }
   if (!isLong) return { list: new Float64Array(unpacked.buffer), high: 0 }
-  const { list, high } = lowHalves(unpacked.buffer)
+  const { list, high } = core.lowHalves(unpacked)
   return { list, high }
 }
 
