@@ -1,5 +1,6 @@
 /** How many of the invalid cells the checks accept of which the sentence on top tells. */
 import { CHECKS } from '../core/unpack'
+import { eachPlace } from './bytes'
 import { type MeshCheck, STANDINGS } from './mesh-check'
 
 export interface AcceptedInvalid {
@@ -11,17 +12,19 @@ const INVALID = STANDINGS.indexOf('invalid')
 export const CORNERS = 1 << CHECKS.indexOf('corners')
 export const VTK = 1 << CHECKS.indexOf('corners-and-centre')
 
-/** From either of the lists that tell, if the check has one. */
-export function acceptedInvalid({ answers, standings }: MeshCheck): AcceptedInvalid {
+/** From what was counted, or from either of the lists that tell, if the check has one. */
+export function acceptedInvalid({ answers, standings, invalid }: MeshCheck): AcceptedInvalid {
+  // Then what counts as invalid is what the verdicts are.
+  if (answers.acceptedInvalid && invalid === answers.invalidCount)
+    return { corners: answers.acceptedByCornersCount, vtk: answers.acceptedByVtkCount }
   const masks = answers.acceptedInvalid ?? answers.acceptedBy
   let [corners, vtk] = [0, 0]
   if (masks)
-    for (let cell = 0; cell < masks.length; ++cell) {
+    eachPlace(standings, INVALID, cell => {
       const mask = masks[cell] as number
-      if ((mask & (CORNERS | VTK)) === 0 || standings[cell] !== INVALID) continue
       if (mask & CORNERS) corners++
       if (mask & VTK) vtk++
-    }
+    })
   return { corners, vtk }
 }
 

@@ -9,9 +9,8 @@ import { STATUSES, type Wanted } from '../core/batch/lists'
 import type { Core } from '../core/report'
 import { CLASSES } from '../core/unpack'
 import type { NodeOrder } from '../model/node-orders'
-import { countOf } from './bytes'
+import { countOf, eachPlace, turned } from './bytes'
 import { checkNotes } from './check-notes'
-import { inParts } from './in-parts'
 import { firstBlocks, type Mesh } from './mesh'
 import { type CheckAnswers, type MeshCheck, NEEDED, STANDINGS, type Standing } from './mesh-check'
 import { openOrdersOf } from './open-orders'
@@ -54,10 +53,8 @@ export async function checkMesh(
   const standingOf = (cell: number) => STANDINGS[standings[cell] as number] as Standing
   const isBelow = (cell: number) => minRelative !== null && isLess(answers, cell, minRelative)
 
-  const [valid, invalid, unanswered] = [VALID, INVALID, UNANSWERED].map(each => countOf(standings, each)) as Three
-  let [below, mirrored] = [0, 0]
-  for (let cell = answers.classes.indexOf(INVERTED); cell >= 0; cell = answers.classes.indexOf(INVERTED, cell + 1))
-    if (standings[cell] === INVALID) mirrored++
+  const counts = standingCounts(answers, standings, openOrders.size === 0 && !skipsDegenerate)
+  let below = 0
   if (minRelative !== null)
     for (let cell = 0; cell < hexahedra; ++cell) if ((standings[cell] as number) <= INVALID && isBelow(cell)) below++
   const severity = {
@@ -70,12 +67,9 @@ export async function checkMesh(
     answers,
     hexahedra,
     standings,
-    valid,
-    invalid,
-    unanswered,
-    degenerate: countOf(coincident, 1),
+    ...counts,
+    degenerate: answers.coincidentCount,
     below,
-    mirrored,
     notTrilinear: { count: notTrilinear.corners.length / 8, validByCorners: byCorners.validCount },
     worst: worstFirst(hexahedra, severity, worst, cell => standingOf(cell) !== 'degenerate'),
     openOrders,
@@ -94,10 +88,31 @@ export async function checkMesh(
   return { ...check, notes: [...mesh.notes, ...checkNotes(check)] }
 }
 
-const [VALID, INVALID, UNANSWERED, DEGENERATE] = [0, 1, 2, 3] as const
-type Three = [number, number, number]
+/** Of STANDINGS; those of valid and invalid cells are `valid` turned. */
+const [INVALID, UNANSWERED, DEGENERATE] = [1, 2, 3] as const
 const INVERTED = CLASSES.indexOf('inverted')
 const IS_ANSWERED = Uint8Array.from(STATUSES, status => Number(status === undefined))
+
+interface StandingCounts {
+  readonly valid: number
+  readonly invalid: number
+  readonly unanswered: number
+  readonly mirrored: number
+}
+
+/** As batches count, where the standings are the answers and nothing else. */
+function standingCounts(answers: CheckAnswers, standings: Uint8Array, areAnswers: boolean): StandingCounts {
+  const { validCount: valid, invalidCount: invalid, unansweredCount: unanswered, invertedCount: mirrored } = answers
+  if (areAnswers) return { valid, invalid, unanswered, mirrored }
+  const own = [INVALID, UNANSWERED, DEGENERATE].map(each => countOf(standings, each))
+  const [ownInvalid, ownUnanswered, degenerate] = own as [number, number, number]
+  let ownMirrored = 0
+  eachPlace(answers.classes, INVERTED, cell => {
+    if (standings[cell] === INVALID) ownMirrored++
+  })
+  const ownValid = standings.length - ownInvalid - ownUnanswered - degenerate
+  return { valid: ownValid, invalid: ownInvalid, unanswered: ownUnanswered, mirrored: ownMirrored }
+}
 
 /** Cells that are `coincident` are degenerate and nothing else. */
 function standingsOf({
@@ -105,8 +120,7 @@ function standingsOf({
   openOrders,
   coincident,
 }: Pick<MeshCheck, 'answers' | 'openOrders'> & { readonly coincident: Uint8Array | null }): Uint8Array {
-  const standings = new Uint8Array(valid.length)
-  inParts(standings.length, (from, to) => putStandings(valid.subarray(from, to), standings.subarray(from, to)))
+  const standings = turned(valid)
   if (unansweredCount > 0)
     for (let cell = 0; cell < standings.length; ++cell)
       if (IS_ANSWERED[statuses[cell] as number] === 0) standings[cell] = UNANSWERED
@@ -114,10 +128,6 @@ function standingsOf({
   if (coincident)
     for (let cell = 0; cell < standings.length; ++cell) if (coincident[cell] === 1) standings[cell] = DEGENERATE
   return standings
-}
-
-function putStandings(valid: Uint8Array, standings: Uint8Array): void {
-  for (let i = 0; i < valid.length; ++i) standings[i] = valid[i] === 1 ? VALID : INVALID
 }
 
 /** A cell of volume 0 is below everything if its minimum is negative, else it stands among the zeros. */

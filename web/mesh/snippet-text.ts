@@ -1,4 +1,5 @@
 /** Texts as people paste them: their characters, and "..." where something was left out. */
+import { MACHINE_IS_LITTLE_ENDIAN } from './endian'
 import type { MeshFile } from './source'
 
 /** Bytes: a text of up to so many may be a part of a file that somebody posted; a larger one is a file. */
@@ -25,8 +26,8 @@ export function isText(head: Uint8Array): boolean {
   return utf16Of(head) !== null || !head.includes(0)
 }
 
-/** Bytes: so many arguments are no burden to a call. */
-const AT_ONCE = 8192
+/** Of units of two bytes, each of which is a character here: decoders are faster than loops. */
+const units = new TextDecoder(MACHINE_IS_LITTLE_ENDIAN ? 'utf-16le' : 'utf-16be')
 /** Texts of heads: all formats look at the same one. */
 const texts = new WeakMap<Uint8Array, string>()
 
@@ -37,8 +38,7 @@ const texts = new WeakMap<Uint8Array, string>()
 export function headText(head: Uint8Array, most = head.length): string {
   let text = texts.get(head)
   if (text === undefined) {
-    text = ''
-    for (let at = 0; at < head.length; at += AT_ONCE) text += String.fromCharCode(...head.subarray(at, at + AT_ONCE))
+    text = units.decode(new Uint16Array(head))
     texts.set(head, text)
   }
   return text.slice(0, most)

@@ -19,6 +19,8 @@ export interface MeshFile {
 export interface KnownIndices {
   readonly list: Uint32Array
   readonly greatest: number
+  /** From each to the next; 0 where that is not always the same. */
+  readonly step: number
 }
 
 export interface UnpackedList {

@@ -7,7 +7,9 @@ import type { MeshFile } from './source'
 import { shown } from './text-cursor'
 import { wordTable } from './word-table'
 
+/** Bytes that are read at once, and at first: tags may be all that is wanted. */
 const CHUNK = 1024 * 1024
+const FIRST_CHUNK = 64 * 1024
 /** A tag is no longer. */
 const LONGEST_TAG = 64 * 1024
 
@@ -79,7 +81,8 @@ export class XmlScanner {
     const end = this.#start + this.#bytes.length
     if (from >= this.#start && Math.min(from + count, this.#file.size) <= end) return
     this.#start = from
-    this.#bytes = this.#file.read(from, Math.min(this.#file.size, from + Math.max(CHUNK, count)))
+    const chunk = from === 0 ? FIRST_CHUNK : CHUNK
+    this.#bytes = this.#file.read(from, Math.min(this.#file.size, from + Math.max(chunk, count)))
   }
 
   #text(from: number, count: number): string {

@@ -2,6 +2,7 @@
 import { inParts } from '../in-parts'
 import { type Block, type CoordinatePlaces, type Mesh, MOST_IMPLIED_CELLS } from '../mesh'
 import { float32Note, largestOf, printedDigits } from '../precision'
+import type { KnownIndices } from '../source'
 import { sameMeshNote, stepNote } from '../step-note'
 import type { CellData } from './vtk-cell-data'
 import { VOXEL_ORDER, VTK_HEXAHEDRON, VTK_POLYHEDRON, vtkCellTypes } from './vtk-cells'
@@ -14,8 +15,8 @@ export interface VtkGrid {
   readonly declaredPoints: number
   /** The points of all cells, one after the other; it is used up. */
   readonly connectivity: Uint32Array
-  /** In `connectivity`, where it is known beforehand. */
-  readonly greatest?: number | null | undefined
+  /** Of `connectivity`, and of `ends` as they are in the file, where they are known beforehand. */
+  readonly known?: { readonly connectivity: KnownIndices | null; readonly ends: KnownIndices | null }
   /** The index in `connectivity` behind each cell's last point. */
   readonly ends: Uint32Array
   readonly types: Uint8Array
@@ -133,7 +134,7 @@ export class VtkMesh {
       places === null &&
       missing === 0 &&
       areHexahedra(grid) &&
-      (grid.greatest ?? largestIn(connectivity)) < pointCount
+      (grid.known?.connectivity?.greatest ?? largestIn(connectivity)) < pointCount
     )
       return connectivity
     for (let cell = 0; cell < types.length; ++cell) {
@@ -268,13 +269,30 @@ export class VtkMesh {
 }
 
 /** True if there are hexahedra and nothing else. */
-function areHexahedra({ connectivity, ends, types }: VtkGrid): boolean {
+function areHexahedra({ connectivity, ends, types, known }: VtkGrid): boolean {
+  const isAlike = ends.length === types.length && connectivity.length === 8 * types.length
+  if (!isAlike || ends[0] !== 8) return false
+  return (known?.ends ? known.ends.step === 8 : haveStep(ends, 8)) && areAll(types, VTK_HEXAHEDRON)
+}
+
+function haveStep(list: Uint32Array, step: number): boolean {
   let others = 0
-  inParts(types.length, (from, to) => {
-    for (let cell = from; cell < to; ++cell)
-      others |= ((types[cell] as number) ^ VTK_HEXAHEDRON) | ((ends[cell] as number) ^ (8 * (cell + 1)))
+  inParts(list.length, (from, to) => {
+    for (let i = Math.max(1, from); i < to; ++i) others |= (list[i] as number) ^ ((list[i - 1] as number) + step)
   })
-  return others === 0 && types.length > 0 && connectivity.length === 8 * types.length
+  return others === 0
+}
+
+/** Four bytes at a time. */
+function areAll(bytes: Uint8Array, value: number): boolean {
+  const own = bytes.byteOffset % 4 === 0 ? bytes : bytes.slice()
+  const words = new Uint32Array(own.buffer, own.byteOffset, own.length >> 2)
+  const wanted = value * 0x01010101
+  let others = 0
+  inParts(words.length, (from, to) => {
+    for (let i = from; i < to; ++i) others |= (words[i] as number) ^ wanted
+  })
+  return others === 0 && own.subarray(4 * words.length).every(byte => byte === value)
 }
 
 function largestIn(list: Uint32Array): number {

@@ -43,8 +43,8 @@ export interface DataArray {
 export interface ReadArray<T extends NumberList> {
   readonly list: T
   readonly digits: number
-  /** Of indices, where it is known beforehand. */
-  readonly greatest?: number | null
+  /** Of indices, where they are known beforehand. */
+  readonly known?: KnownIndices | null
 }
 
 export const ZLIB = 'vtkZLibDataCompressor'
@@ -196,7 +196,7 @@ class BinaryArray<T extends NumberList> {
   readonly #source: ByteSource
   #list: T
   #filled = 0
-  #greatest: number | null = null
+  #known: KnownIndices | null = null
 
   constructor(storage: Storage, array: DataArray, count: number, List: new (length: number) => T) {
     this.#storage = storage
@@ -239,7 +239,7 @@ class BinaryArray<T extends NumberList> {
       if (error instanceof DamagedStream) this.#refuse(`${error.message}.`)
       throw error
     }
-    return { list: this.#list, digits: 0, greatest: this.#greatest }
+    return { list: this.#list, digits: 0, known: this.#known }
   }
 
   /** The next bytes, which the file must have. */
@@ -292,7 +292,7 @@ class BinaryArray<T extends NumberList> {
     const known = this.#lowHalves()
     if (known) {
       this.#list = known.list as T
-      this.#greatest = known.greatest
+      this.#known = known
       return
     }
     this.#makeRoom()

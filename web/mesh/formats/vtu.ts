@@ -140,15 +140,15 @@ function readPiece(storage: Storage, piece: Piece, isOnly: boolean, mesh: VtkMes
   if (pointCount === 0 && cellCount === 0) return 0
   const { list: points, digits } = read('Points', 3 * pointCount, Float64Array)
   const { list: types } = read('types', cellCount, Uint8Array)
-  const { list: ends } = read('offsets', cellCount, Uint32Array)
-  const falling = firstFall(ends)
+  const { list: ends, known: knownEnds = null } = read('offsets', cellCount, Uint32Array)
+  const falling = knownEnds && knownEnds.step > 0 ? -1 : firstFall(ends)
   if (falling > 0)
     refuse(
       file,
       `the offset of cell ${falling} is ${ends[falling]}, less than ${ends[falling - 1]}, that of the cell before.`,
     )
   const isWhole = ends.length === cellCount
-  const { list: connectivity, greatest } = read(
+  const { list: connectivity, known = null } = read(
     'connectivity',
     isWhole ? (ends.at(-1) ?? 0) : 0xffffffff,
     Uint32Array,
@@ -163,7 +163,7 @@ function readPiece(storage: Storage, piece: Piece, isOnly: boolean, mesh: VtkMes
       points: points.subarray(0, points.length - (points.length % 3)),
       declaredPoints: pointCount,
       connectivity,
-      greatest,
+      known: { connectivity: known, ends: knownEnds },
       ends: ends.subarray(0, whole),
       types: types.subarray(0, whole),
       declaredCells: cellCount,
