@@ -15,9 +15,9 @@ const BUDGETS = {
   widget: 190_000,
   light: 130_000,
   hexMesh: 60_000,
-  batch: 100_000,
+  batch: 104_000,
   mesh: 124_000,
-  meshWorker: 268_000,
+  meshWorker: 274_000,
   hdf5: 1_100_000,
 }
 

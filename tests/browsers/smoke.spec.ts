@@ -55,6 +55,53 @@ function complaints(driver: Driver): Promise<string[]> {
   return driver.run(() => (window as unknown as { complaints: string[] }).complaints)
 }
 
+/**
+ * Chooses a raw VTU on the page of meshes: a lattice with so many cells along each axis, of which `moved` points are moved along x through the
+ * opposite faces of four cells each.
+ */
+function giveLattice(side: number, moved: number): void {
+  const [along, count] = [side + 1, side ** 3]
+  const index = (x: number, y: number, z: number) => x + along * (y + along * z)
+  const points = new Float64Array(3 * along ** 3)
+  const cells = new Uint32Array(16 * count)
+  const ends = new Uint32Array(2 * count)
+  for (let at = 0; at < points.length; at += 3)
+    points.set(
+      [at / 3, at / 3 / along, at / 3 / along ** 2].map(Math.floor).map(place => place % along),
+      at,
+    )
+  for (let i = 1; i <= moved; ++i) {
+    const at = 3 * index(5 * i, 5 * i, 5 * i)
+    points[at] = (points[at] as number) + 1.5
+  }
+  for (let cell = 0; cell < count; ++cell) {
+    const [x, y, z] = [cell, cell / side, cell / side ** 2].map(place => Math.floor(place) % side) as [
+      number,
+      number,
+      number,
+    ]
+    for (let v = 0; v < 8; ++v)
+      cells[16 * cell + 2 * v] = index(x + (((v + 1) >> 1) & 1), y + ((v >> 1) & 1), z + (v >> 2))
+    ends[2 * cell] = 8 * (cell + 1)
+  }
+  const lists = [points, cells, ends, new Uint8Array(count).fill(12)]
+  let offset = 0
+  const [atPoints, atCells, atEnds, atTypes] = lists.map(({ byteLength }) => {
+    offset += 8 + byteLength
+    return `format="appended" offset="${offset - 8 - byteLength}"/>`
+  })
+  const head = `<VTKFile type="UnstructuredGrid" version="1.0" byte_order="LittleEndian" header_type="UInt64"><UnstructuredGrid>
+<Piece NumberOfPoints="${along ** 3}" NumberOfCells="${count}"><Points><DataArray type="Float64" NumberOfComponents="3" ${atPoints}</Points>
+<Cells><DataArray type="Int64" Name="connectivity" ${atCells}<DataArray type="Int64" Name="offsets" ${atEnds}
+<DataArray type="UInt8" Name="types" ${atTypes}</Cells></Piece></UnstructuredGrid><AppendedData encoding="raw">_`
+  const parts = lists.flatMap(list => [Uint32Array.of(list.byteLength, 0), list])
+  const transfer = new DataTransfer()
+  transfer.items.add(new File([head, ...parts, '</AppendedData></VTKFile>'], 'lattice.vtu'))
+  const input = document.querySelector('input[type=file]') as HTMLInputElement
+  input.files = transfer.files
+  input.dispatchEvent(new Event('change', { bubbles: true }))
+}
+
 /** After the frames that follow a change: what is new is laid out, hears of its size, and is drawn. */
 async function settled(driver: Driver): Promise<void> {
   await driver.run(() => {
@@ -288,6 +335,14 @@ test('the pages beside the lens load and answer', async ({ address, driver }) =>
     await expect.poll(() => textOf(driver, '.counts')).toMatch(/; [1-9][\d,]* found$/)
     await clickOf(driver, '.searching button', /^\s*Stop/)
     await expect.poll(() => textOf(driver, '.news')).toMatch(/^Stopped\. /)
+    expect(await complaints(driver)).toEqual([])
+  })
+
+  await test.step('a mesh of many cells is read by several workers', async () => {
+    await driver.open(`${address}mesh.html`)
+    await expect.poll(() => textOf(driver, '.headline')).toMatch(/invalid/)
+    await driver.run(giveLattice, 48, 5)
+    await expect.poll(() => textOf(driver, '.headline')).toMatch(/^20 of 110,592 hexahedra are invalid\./)
     expect(await complaints(driver)).toEqual([])
   })
 

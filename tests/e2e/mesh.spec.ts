@@ -352,7 +352,7 @@ test('files: mirrored cells by one click, a second mesh, what cannot be read', a
 })
 
 test('a large file is read by several workers as it comes, and by blocks', async ({ page }) => {
-  const raw = Buffer.from(await practiceFile().arrayBuffer())
+  const raw = Buffer.from(await practiceFile(0.6).arrayBuffer())
   const [mesh] = readMeshes(fileOfBytes('raw.vtu', Uint8Array.from(raw)))
   if (!mesh) throw new Error('There is no mesh.')
   const check = await checked(mesh, { worst: 3, lists: { acceptedBy: true } })

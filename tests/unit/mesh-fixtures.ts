@@ -12,7 +12,9 @@ const batch = await loadBatchCore(
 )
 
 export const classifyCells = (async (points, cells, wanted) =>
-  batch.classify({ points, cells, firstPoint: 0 }, wanted)) as ClassifyCells
+  batch.classify({ points, cells, firstPoint: 0 }, wanted, {
+    worst: wanted.worst ? { few: wanted.worst, limit: Infinity } : null,
+  })) as ClassifyCells
 
 export function checked(mesh: Mesh, options: Partial<CheckOptions> = {}): Promise<MeshCheck> {
   return checkMesh(

@@ -1,6 +1,5 @@
 /** A mesh that is opened in two steps is checked as at once. */
 import { describe, expect, test } from 'vitest'
-import { ABOUT } from '../../web/core/batch/lists'
 import { acceptedInvalid } from '../../web/mesh/accepted-invalid'
 import type { Mesh } from '../../web/mesh/mesh'
 import { openingCheck } from '../../web/survey/opening-check'
@@ -37,6 +36,8 @@ const meshes: Readonly<Record<string, Mesh>> = {
   ]),
   'far away': meshOf(random(300, 0.3).map(own => own.map(x => x + 2 ** 30))),
   'hardly any': meshOf(random(20, 0.3)),
+  'hardly any answered': meshOf([...random(20, 0.3), ...Array.from({ length: 300 }, () => notFinite)]),
+  'all collapsed but some': meshOf([...Array.from({ length: 300 }, () => flat), ...random(40, 0.35)]),
 }
 
 describe.each(Object.entries(meshes))('%s', (_, mesh) => {
@@ -64,20 +65,22 @@ describe.each(Object.entries(meshes))('%s', (_, mesh) => {
     const answers = { ...check.answers, acceptedInvalid: null }
     expect(acceptedInvalid(check)).toEqual(acceptedInvalid({ ...check, answers }))
   })
-
-  test('relative minima are about what they are', async () => {
-    const { answers, hexahedra } = await checked(mesh, { worst: 0, lists: { ...LISTS, relativeAbout: true } })
-    for (let cell = 0; cell < hexahedra; ++cell) {
-      const [about, exact] = [answers.relativeAbout?.[cell], answers.relativeMinima[cell]] as [number, number]
-      if (Number.isNaN(about)) continue
-      const isCollapsed = Number.isNaN(exact) && about === 0
-      if (!isCollapsed) expect(Math.abs(about - exact)).toBeLessThanOrEqual(ABOUT * Math.abs(exact))
-    }
-  })
 })
 
 test('two steps are gone where that saves something', async () => {
   const { finish, check } = await openingCheck(meshes.invalid as Mesh, { classify, core }, 1)
   expect(finish).not.toBeNull()
   expect(check.worst.length).toBe(64)
+})
+
+test('one step is gone where too few cells are answered for the list on top, and where all may be among the worst', async () => {
+  for (const name of ['hardly any', 'hardly any answered'] as const) {
+    const { finish, check } = await openingCheck(meshes[name] as Mesh, { classify, core }, 1)
+    expect(finish).toBeNull()
+    expect(check.worst.length).toBe(check.hexahedra)
+  }
+  const alike = meshOf(Array.from({ length: 20_100 }, () => unitCube))
+  const { finish, check } = await openingCheck(alike, { classify, core }, 1)
+  expect(finish).toBeNull()
+  expect([...check.worst.subarray(0, 3)]).toEqual([0, 1, 2])
 })

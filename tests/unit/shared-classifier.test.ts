@@ -1,12 +1,20 @@
 /** Cells shared out among workers are answered as by one. */
 import { afterAll, expect, test } from 'vitest'
+import { KNOWN_OF_PART, PART } from '../../web/core/reading-interface'
 import type { WorkerPort } from '../../web/core/workers'
-import { PART } from '../../web/input/low-halves'
 import { sharedClassifier } from '../../web/survey/shared-classifier'
 import { core, randomSource, unitCube } from './core-fixtures'
 import { batchCores, batchModules, endThreads, threadsOf } from './node-workers'
 
-const LISTS = { minima: true, statuses: true, classes: true, volumes: true }
+const LISTS = {
+  minima: true,
+  statuses: true,
+  classes: true,
+  volumes: true,
+  coincident: true,
+  acceptedInvalid: true,
+  box: true,
+}
 const SIDE = 42
 
 /** A shaken lattice of 42^3 cubes with a point that is not finite. */
@@ -98,15 +106,15 @@ test('where WebAssembly is forbidden it says that cells are decided one by one',
   expect(await prepared(async () => batchModules.vectors)).toBe(true)
 })
 
-/** Parts of 8192 indices, as they are known of a file. */
+/** With what is known of each part of a file's indices; the steps are nobody's question. */
 function inParts(list: Uint32Array) {
-  const ranges = new Int32Array(2 * Math.ceil(list.length / PART))
-  for (let part = 0; 2 * part < ranges.length; ++part) {
+  const parts = new Int32Array(KNOWN_OF_PART * Math.ceil(list.length / PART))
+  for (let part = 0; KNOWN_OF_PART * part < parts.length; ++part) {
     const own = list.subarray(PART * part, PART * (part + 1))
-    ranges[2 * part] = own.reduce((a, b) => Math.min(a, b))
-    ranges[2 * part + 1] = own.reduce((a, b) => Math.max(a, b))
+    parts[KNOWN_OF_PART * part] = own.reduce((a, b) => Math.min(a, b))
+    parts[KNOWN_OF_PART * part + 1] = own.reduce((a, b) => Math.max(a, b))
   }
-  return { list, ranges }
+  return { list, parts }
 }
 
 test.each([
@@ -124,7 +132,8 @@ test.each([
   for (let count = 0; count < SIDE ** 3; ) {
     const more = Math.min(count + 10_240, SIDE ** 3)
     known.list.set(cells.subarray(8 * count, 8 * more), 8 * count)
-    known.ranges.set(inParts(known.list.subarray(8 * count, 8 * more)).ranges, (16 * count) / PART)
+    const own = inParts(known.list.subarray(8 * count, 8 * more)).parts
+    known.parts.set(own, (8 * KNOWN_OF_PART * count) / PART)
     count = more
     shared.know(points, known, count, LISTS)
     await new Promise(resolve => setTimeout(resolve))
@@ -136,5 +145,30 @@ test.each([
     await shared.classify(points, known.list, {}),
     batchCores.vectors.classify({ points, cells, firstPoint: 0 }, {}),
   )
+  await shared.close()
+})
+
+test.each([
+  { name: 'with helpers', helper: spawn },
+  { name: 'without a helper', helper: none },
+])('the worst cells are among the candidates of all who decide, $name', async ({ helper }) => {
+  const { points, cells } = lattice(true)
+  const { relativeMinima } = batchCores.vectors.classify({ points, cells, firstPoint: 0 }, { relativeMinima: true })
+  const worst = Array.from(relativeMinima.keys()).filter(cell => !Number.isNaN(relativeMinima[cell]))
+  worst.sort((a, b) => (relativeMinima[a] as number) - (relativeMinima[b] as number))
+  const shared = sharedClassifier({ core, batchModule: async () => batchModules.vectors, helper, onProgress() {} })
+  const { candidates } = await shared.classify(points, cells, { minima: true, worst: 64 })
+  expect(worst.slice(0, 64).filter(cell => !candidates?.cells.includes(cell))).toEqual([])
+  expect(candidates?.cells.length).toBeLessThan(1000)
+  // Fewer than several decide together.
+  const few = cells.subarray(0, 8 * 5000)
+  const alone = (await shared.classify(points, few, { minima: true, worst: 64 })).candidates
+  expect(
+    worst
+      .filter(cell => cell < 5000)
+      .slice(0, 64)
+      .filter(cell => !alone?.cells.includes(cell)),
+  ).toEqual([])
+  expect((await shared.classify(points, few, { minima: true })).candidates).toBeNull()
   await shared.close()
 })

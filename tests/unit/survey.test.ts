@@ -275,7 +275,8 @@ test('what is mirrored is corrected, with a note, and nothing else', async () =>
 })
 
 test('where no batches run, cells are answered one by one, the same in all lists', async () => {
-  const wanted = { ...LISTS, relativeMinima: true, classes: true, statuses: true, exact: true } as const
+  const lists = { ...LISTS, relativeMinima: true, classes: true, statuses: true, exact: true } as const
+  const wanted = { ...lists, coincident: true, acceptedInvalid: true } as const
   const alone = cellClassifier(
     core,
     () => Promise.reject(new Error('none')),

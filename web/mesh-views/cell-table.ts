@@ -48,6 +48,9 @@ export class CellTable {
   readonly #size = new ResizeObserver(() => this.#measure())
   #box: HTMLElement | null = null
   #rowHeight = ROW_HEIGHT
+  /** Pixels, as they were looked at last: to ask a page for them that has just been changed takes a layout. */
+  #view = 0
+  #scrollTop = 0
   #count = 0
   #hasBlocks = false
   #order: Arrangement = { column: 'worst', isDescending: false }
@@ -115,11 +118,17 @@ export class CellTable {
 
   #measure(): void {
     this.#rowHeight = this.#root.querySelector<HTMLElement>('.row')?.offsetHeight || ROW_HEIGHT
+    this.#look()
     this.#render()
   }
 
+  #look(): void {
+    this.#view = this.#box?.clientHeight ?? 0
+    this.#scrollTop = this.#box?.scrollTop ?? 0
+  }
+
   get #extent(): { readonly view: number; readonly range: number; readonly rows: number } {
-    const view = this.#box?.clientHeight ?? 0
+    const view = this.#view
     return {
       view,
       range: Math.max(0, this.#height - view),
@@ -134,7 +143,7 @@ export class CellTable {
   /** The scroll position in rows. */
   get #offset(): number {
     const { range, rows } = this.#extent
-    return range > 0 ? ((this.#box?.scrollTop ?? 0) / range) * rows : 0
+    return range > 0 ? (this.#scrollTop / range) * rows : 0
   }
 
   #rowAt(rank: number): Row | null {
@@ -159,7 +168,7 @@ export class CellTable {
     const offset = this.#offset
     const first = Math.floor(offset)
     const seen = Math.max(0, Math.min(this.#count - first, Math.ceil(view / this.#rowHeight) + 1))
-    const top = (this.#box?.scrollTop ?? 0) - (offset - first) * this.#rowHeight
+    const top = this.#scrollTop - (offset - first) * this.#rowHeight
     const ranks = Array.from({ length: Math.max(seen, Math.min(1, this.#count)) }, (_, i) => first + i)
     const columns = COLUMNS.filter(({ column }) => column !== 'block' || this.#hasBlocks)
     const isActiveSeen = ranks.includes(this.#active)
@@ -172,7 +181,7 @@ export class CellTable {
         aria-rowcount=${this.#count + 1}
         aria-colcount=${columns.length}
         aria-activedescendant=${isActiveSeen ? `row-${this.#active}` : nothing}
-        @scroll=${() => this.#render()}
+        @scroll=${this.#onScroll}
         @keydown=${this.#onKey}
       >
         <div class="row head" role="row" aria-rowindex="1">${columns.map((words, i) => this.#heading(words, i + 1))}</div>
@@ -182,7 +191,14 @@ export class CellTable {
       </div>`,
       this.#root,
     )
+    const isNew = this.#box === null
     this.#box = this.#root.querySelector('.rows')
+    if (isNew) this.#measure()
+  }
+
+  readonly #onScroll = (): void => {
+    this.#look()
+    this.#render()
   }
 
   /** Narrow lists leave out columns, so each says which it is. */
@@ -264,7 +280,10 @@ export class CellTable {
     const offset = this.#offset
     const least = this.#active + 2 - view / this.#rowHeight
     const wanted = this.#active < offset ? this.#active : Math.max(offset, least)
-    if (this.#box && wanted !== offset && rows > 0) this.#box.scrollTop = (Math.min(wanted, rows) / rows) * range
+    if (this.#box && wanted !== offset && rows > 0) {
+      this.#box.scrollTop = (Math.min(wanted, rows) / rows) * range
+      this.#look()
+    }
     this.#render()
   }
 }

@@ -1,5 +1,13 @@
 /** Cells that are decided cut by cut by whoever is free: all at once, or as they become known while their file is read. */
-import { type BatchCore, type Counts, NOTHING_COUNTED, type Piece, sumOfCounts } from '../core/batch/batch-core'
+import {
+  type BatchCore,
+  type Counts,
+  NOTHING_COUNTED,
+  type Piece,
+  sumOfCounts,
+  type WithCandidates,
+} from '../core/batch/batch-core'
+import { CandidateList, type CandidateOptions } from '../core/batch/candidates'
 import {
   type Answers,
   answersOf,
@@ -12,14 +20,14 @@ import {
   type Wanted,
 } from '../core/batch/lists'
 import { Recycled } from '../core/batch/pieces'
+import { KNOWN_OF_PART, PART } from '../core/reading-interface'
 import type { Pool } from '../core/workers'
-import { PART } from '../input/low-halves'
 import type { HelperJobs } from './helper'
 import { turn } from './turn'
 
 const CELLS_PER_CUT = 16384
 /** Helpers take longer cuts while much is left, which are fewer messages: at most so many, and this share of what is left. */
-const CELLS_PER_MESSAGE = 8 * CELLS_PER_CUT
+const CELLS_PER_MESSAGE = 2 * CELLS_PER_CUT
 const SHARE = 1 / 8
 /** A helper has its next cut when it is done with one. */
 const CUTS_AHEAD = 2
@@ -43,8 +51,8 @@ interface Cut {
 export interface Known {
   readonly points: Float64Array
   readonly cells: Uint32Array
-  /** The least and the greatest index of each `PART` of the cells' indices, where they are known with them. */
-  readonly ranges: Int32Array | null
+  /** What is known of each `PART` of the cells' indices, if anything is: as of LowHalves. */
+  readonly parts: Int32Array | null
 }
 
 export class Deciding {
@@ -53,9 +61,9 @@ export class Deciding {
   readonly cells: Uint32Array
   readonly wanted: Wanted
   onProgress: (done: number, total: number) => void = () => {}
-  readonly answers: Promise<Answers & Counts>
+  readonly answers: Promise<Answers & Counts & WithCandidates>
   readonly #crew: Crew
-  readonly #ranges: Int32Array | null
+  readonly #parts: Int32Array | null
   readonly #total: number
   readonly #lists: Lists
   readonly #memory = new Recycled()
@@ -71,15 +79,17 @@ export class Deciding {
   #next = 0
   #done = 0
   #counts: Counts = NOTHING_COUNTED
+  readonly #candidates: CandidateList | null
 
-  constructor(crew: Crew, { points, cells, ranges }: Known, wanted: Wanted) {
+  constructor(crew: Crew, { points, cells, parts }: Known, wanted: Wanted) {
     this.#crew = crew
-    this.#ranges = ranges
+    this.#parts = parts
     this.points = points
     this.cells = cells
     this.wanted = wanted
     this.#total = cells.length / 8
     this.#lists = emptyLists(this.#total, wanted)
+    this.#candidates = wanted.worst ? new CandidateList({ few: wanted.worst, limit: Infinity }) : null
     this.answers = this.#run()
     this.answers.catch(() => {})
   }
@@ -92,7 +102,7 @@ export class Deciding {
     this.#more = null
   }
 
-  async #run(): Promise<Answers & Counts> {
+  async #run(): Promise<Answers & Counts & WithCandidates> {
     const others = [...this.#crew.helpers].flatMap(helper =>
       Array.from({ length: CUTS_AHEAD }, () => this.#decideThere(helper)),
     )
@@ -101,7 +111,7 @@ export class Deciding {
     await this.#decideHere()
     await Promise.all(others)
     await this.#decideHere()
-    return { ...answersOf(this.#lists), ...this.#counts }
+    return { ...answersOf(this.#lists), ...this.#counts, candidates: this.#candidates?.candidates ?? null }
   }
 
   /** Waits until there is a cut; null when there is none left. */
@@ -125,17 +135,30 @@ export class Deciding {
   /** A cut with the points between its least and its greatest index; without, where those are far apart. */
   #pieceOf({ first, count }: Cut): OwnPiece {
     const cells = this.cells.subarray(8 * first, 8 * (first + count))
-    const [from, to] = [8 * first, 8 * (first + count)].map(at => at / PART) as [number, number]
-    const isInParts =
-      this.#ranges && Number.isInteger(from) && (Number.isInteger(to) || 8 * (first + count) === this.cells.length)
-    const parts = isInParts ? this.#ranges?.subarray(2 * from, 2 * Math.ceil(to)) : null
-    const [least, greatest] = parts ? [Math.min(...parts), Math.max(...parts)] : rangeOf(cells)
+    const [least, greatest] = this.#rangeOf(8 * first, 8 * (first + count)) ?? rangeOf(cells)
     if (least < 0 || greatest - least >= 8 * Math.max(count, CELLS_PER_CUT))
       return { points: null, cells, firstPoint: 0 }
     return { points: this.points.subarray(3 * least, 3 * (greatest + 1)), cells, firstPoint: least }
   }
 
-  #count(cut: Cut, own: Counts): void {
+  #worstNow(): CandidateOptions | null {
+    return this.#candidates && { few: this.wanted.worst ?? 0, limit: this.#candidates.limit }
+  }
+
+  /** Of indices that are whole parts; null where nothing is known of these. */
+  #rangeOf(from: number, to: number): readonly [number, number] | null {
+    const isWhole = from % PART === 0 && (to % PART === 0 || to === this.cells.length)
+    if (!this.#parts || !isWhole) return null
+    let [least, greatest] = [Infinity, -Infinity]
+    for (let at = KNOWN_OF_PART * (from / PART); at < KNOWN_OF_PART * Math.ceil(to / PART); at += KNOWN_OF_PART) {
+      least = Math.min(least, this.#parts[at] as number)
+      greatest = Math.max(greatest, this.#parts[at + 1] as number)
+    }
+    return [least, greatest]
+  }
+
+  #count(cut: Cut, own: Counts & WithCandidates): void {
+    this.#candidates?.takeAll(own.candidates, cut.first)
     this.#counts = sumOfCounts(this.#counts, own, cut.first)
     this.#done += cut.count
     this.onProgress(this.#done, this.#total)
@@ -151,7 +174,7 @@ export class Deciding {
         held.set(own, this.points)
       }
       const part = partOf(this.#lists, cut.first, cut.count)
-      this.#count(cut, own.classify(piece, this.wanted, { into: () => part }))
+      this.#count(cut, own.classify(piece, this.wanted, { into: () => part, worst: this.#worstNow() }))
       await turn()
     }
   }
@@ -172,10 +195,10 @@ export class Deciding {
           void helper.run('hold', this.points.slice()).catch(() => {})
         }
         const { piece, block } = inBlock(own, this.#memory, cut.count * each)
-        const back = await helper.run('classify', { piece, block, wanted: this.wanted })
+        const back = await helper.run('classify', { piece, block, wanted: this.wanted, worst: this.#worstNow() })
         putLists(listsIn(back.block, cut.count, this.wanted), this.#lists, cut.first)
         this.#memory.give(back.block)
-        this.#count(cut, back.counts)
+        this.#count(cut, { ...back.counts, candidates: back.candidates })
       } catch {
         // It is done here instead.
         this.#left.push(cut)

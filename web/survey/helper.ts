@@ -1,21 +1,28 @@
 /** Another worker of an open mesh: decides cells, and reads parts of its file. */
 import { type BatchJobs, startBatchJobs } from '../core/batch/batch-jobs'
 import { readingFiles } from '../core/reading-files'
+import type { ReadingCore } from '../core/reading-interface'
 import { serve } from '../core/workers'
-import { type LowHalves, lowHalves } from '../input/low-halves'
+import type { HalvesOfPiece } from '../input/file-at-hand'
+import { eachPiece } from '../input/pieces-of'
 import { type PackedPart, type UnpackedPart, unpackedPart } from '../input/unpacking'
 
 export type HelperJobs = BatchJobs & {
   /** Holds points for pieces that come without any. */
   hold(points: Float64Array): null
-  /** Reads integers of 64 bits. */
-  halve(bytes: Blob): Promise<LowHalves>
+  /** Reads integers of 64 bits, and tells of them piece after piece. */
+  halve(bytes: Blob, tell: (piece: HalvesOfPiece) => void): Promise<null>
   /** Null where the blocks are damaged. */
   unpack(job: { readonly bytes: Blob; readonly part: PackedPart }): Promise<UnpackedPart | null>
 }
 
 serve<WebAssembly.Module, HelperJobs>('hexlens-helper', async module => {
-  const reading = readingFiles()
+  const started = readingFiles()
+  async function reading(): Promise<ReadingCore> {
+    const core = await started
+    if (!core) throw new Error('The core for reading did not start.')
+    return core
+  }
   const { core, jobs } = await startBatchJobs(module)
   return {
     ...jobs,
@@ -23,11 +30,11 @@ serve<WebAssembly.Module, HelperJobs>('hexlens-helper', async module => {
       core.hold(points)
       return null
     },
-    halve: async bytes => lowHalves(await bytes.arrayBuffer()),
-    async unpack({ bytes, part }) {
-      const core = await reading
-      if (!core) throw new Error('The core for reading did not start.')
-      return unpackedPart(await bytes.arrayBuffer(), part, core)
+    async halve(bytes, tell) {
+      const core = await reading()
+      await eachPiece(bytes, (piece, at) => tell({ ...core.lowHalves(piece), at }))
+      return null
     },
+    unpack: async ({ bytes, part }) => unpackedPart(await bytes.arrayBuffer(), part, await reading()),
   }
 })

@@ -2,27 +2,24 @@
  * The check of a mesh that is being opened: first what the sentence on top and the worst cells need, then the rest. Volumes take longer than
  * verdicts and minima together, so that those of the worst cells alone come first.
  */
-import { ABOUT, type Answers, emptyAnswers, type Wanted } from '../core/batch/lists'
+import { type Answers, emptyAnswers, type Wanted } from '../core/batch/lists'
 import type { Core } from '../core/report'
 import { CLASSES } from '../core/unpack'
 import { cellsAt } from '../mesh/accepted-invalid'
 import { type ClassifyCells, checkMesh } from '../mesh/check'
-import { inParts } from '../mesh/in-parts'
 import type { Mesh } from '../mesh/mesh'
-import { type MeshCheck, NEEDED, STANDINGS } from '../mesh/mesh-check'
+import { type MeshCheck, NEEDED } from '../mesh/mesh-check'
 import { verticesOf } from '../mesh/vertices-of'
 import { FEW, worstFirst } from '../mesh/worst'
 
 /** Lists that the page shows; which checks accept a cell, and minimizers, are asked for when they are. */
-const LISTS = { minima: true, minimizers: false, volumes: true, exact: true, acceptedInvalid: true } as const
+const LISTS = { minima: true, minimizers: false, volumes: true, exact: true, acceptedInvalid: true, box: true } as const
 
 /** What is asked of all cells of a mesh that is opened in two steps, at first. */
-export const FIRST_LISTS = { ...LISTS, ...NEEDED, volumes: false, relativeMinima: false, relativeAbout: true } as const
+export const FIRST_LISTS = { ...LISTS, ...NEEDED, volumes: false, relativeMinima: false, worst: FEW } as const
 
 /** Meshes with fewer cells are checked at once. */
 const MANY = 50_000
-/** More candidates than that are no gain. */
-const MOST_CANDIDATES = 20_000
 
 export interface OpeningCheck {
   /** All of it, or all but volumes, relative minima and the order: of these what the `FEW` worst cells have. */
@@ -46,9 +43,10 @@ export async function openingCheck(mesh: Mesh, tools: Tools, many = MANY): Promi
       { ...tools, classify: without(later, tools.classify) },
       { ...plain, worst: 0, lists: LISTS },
     )
-    const candidates = candidatesOf(first)
-    if (!candidates) return { check: await finished(first, tools), finish: null }
-    const worst = await worstOf(first, candidates, tools)
+    const candidates = first.openOrders.size > 0 ? null : (first.answers.candidates ?? null)
+    // Fewer than the page shows are where hardly any cell is answered.
+    if (!candidates || candidates.cells.length < FEW) return { check: await finished(first, tools), finish: null }
+    const worst = await worstOf(first, Uint32Array.from(candidates.cells).sort(), tools)
     return { check: { ...first, worst }, finish: () => finished(first, tools) }
   }
   return { check: await checkMesh(mesh, tools, { ...plain, worst: Infinity, lists: LISTS }), finish: null }
@@ -79,60 +77,7 @@ async function worstOf(check: MeshCheck, candidates: Uint32Array, { classify }: 
   return order.map(i => candidates[i] as number)
 }
 
-const INVALID = STANDINGS.indexOf('invalid')
-const COLLAPSED = CLASSES.indexOf('collapsed')
-
-/** Cells among which the `FEW` worst are, ascending; null where too many are. */
-function candidatesOf({ answers, hexahedra, standings, invalid }: MeshCheck): Uint32Array | null {
-  const about = answers.relativeAbout as Float32Array
-  // No valid cell is worse than an invalid one.
-  const isOfInvalid = invalid >= FEW
-  let some: { readonly cell: number; readonly about: number }[] = []
-  const least = new LeastNumbers()
-  let limit = Infinity
-  let isTooMany = false
-  inParts(hexahedra, (from, to) => {
-    for (let cell = from; cell < to && !isTooMany; ++cell) {
-      let own = about[cell] as number
-      if (own > limit) continue
-      const standing = standings[cell] as number
-      if (isOfInvalid ? standing !== INVALID : standing > INVALID) continue
-      if (answers.classes[cell] === COLLAPSED) own = 0
-      // What is not known may be anything.
-      if (Number.isNaN(own)) own = -Infinity
-      else limit = least.take(own)
-      some.push({ cell, about: own })
-      if (some.length <= MOST_CANDIDATES) continue
-      some = some.filter(each => each.about <= limit)
-      isTooMany = 2 * some.length > MOST_CANDIDATES
-    }
-  })
-  if (isTooMany || limit === Infinity) return null
-  return Uint32Array.from(
-    some.filter(each => each.about <= limit),
-    ({ cell }) => cell,
-  )
-}
-
 const LEAST_NORMAL = 2 ** -1022
-
-/** The `FEW` least of some numbers that are known about. */
-class LeastNumbers {
-  readonly #list = new Float64Array(FEW).fill(Infinity)
-
-  /** Returns a limit: none of them is above it, nor anything that comes out above it. */
-  take(value: number): number {
-    const list = this.#list
-    let at = FEW - 1
-    if (value < (list[at] as number)) {
-      for (; at > 0 && (list[at - 1] as number) > value; --at) list[at] = list[at - 1] as number
-      list[at] = value
-    }
-    const last = list[FEW - 1] as number
-    // Both numbers may be off, and a little for what is of second order.
-    return last === Infinity ? last : last + 3 * ABOUT * Math.abs(last)
-  }
-}
 
 function severityOf(check: MeshCheck, cells: Uint32Array | null) {
   const { relativeMinima, classes } = check.answers

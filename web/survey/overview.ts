@@ -1,7 +1,7 @@
 /** What is said of a mesh on top. */
+import type { Box } from '../core/batch/batch-core'
 import { countSentences } from '../mesh/check-summary'
 import { inParts } from '../mesh/in-parts'
-import type { Mesh } from '../mesh/mesh'
 import type { MeshCheck } from '../mesh/mesh-check'
 import { grouped, headlineOf } from '../mesh/mesh-headline'
 import { shown } from '../mesh/shown'
@@ -47,17 +47,24 @@ function fixesOf({ mirrored }: MeshCheck, wholeOrder: NodeOrder | null): Fix[] {
   return [{ id: 'mirrored', words: `Correct ${grouped(mirrored)} mirrored ${mirrored === 1 ? 'cell' : 'cells'}` }]
 }
 
-/** Of the points that cells have. */
-export function boundsOf({ points, cells }: Mesh): Bounds | null {
+/** Of the points that cells have; null where they have none. */
+export function boundsOf({ mesh: { points, cells }, answers }: MeshCheck): Bounds | null {
+  return answers.box && answers.unansweredCount === 0 ? boundsOfBox(answers.box) : boundsOfBox(boxOf(points, cells))
+}
+
+function boundsOfBox([x0, y0, z0, x1, y1, z1]: Box): Bounds | null {
+  const bounds: Bounds = { least: [x0, y0, z0], greatest: [x1, y1, z1] }
+  return bounds.least.includes(Infinity) || bounds.greatest.includes(-Infinity) ? null : bounds
+}
+
+function boxOf(points: Float64Array, cells: Uint32Array): Box {
   const isUsed = new Uint8Array(points.length / 3)
   inParts(cells.length, (from, to) => {
     for (let i = from; i < to; ++i) isUsed[cells[i] as number] = 1
   })
   const box = Float64Array.of(Infinity, Infinity, Infinity, -Infinity, -Infinity, -Infinity)
   inParts(isUsed.length, (from, to) => widen(box, { points, isUsed, from, to }))
-  const [x0, y0, z0, x1, y1, z1] = box as unknown as [number, number, number, number, number, number]
-  const bounds: Bounds = { least: [x0, y0, z0], greatest: [x1, y1, z1] }
-  return bounds.least.includes(Infinity) || bounds.greatest.includes(-Infinity) ? null : bounds
+  return box as unknown as Box
 }
 
 interface Used {

@@ -2,6 +2,7 @@
 import type { Core } from '../core/report'
 import { cellsAt } from '../mesh/accepted-invalid'
 import { type ClassifyCells, checkMesh } from '../mesh/check'
+import { countsIn } from '../mesh/counts-in'
 import type { Mesh } from '../mesh/mesh'
 import { type CheckAnswers, type MeshCheck, NEEDED } from '../mesh/mesh-check'
 
@@ -64,7 +65,10 @@ function put(found: CheckAnswers, all: CheckAnswers, some: Uint32Array): CheckAn
   const unansweredCount = all.statuses.reduce((sum, status) => sum + Number(status !== 0), 0)
   return {
     ...all,
+    ...countsIn(all),
     acceptedBy: null,
+    box: null,
+    candidates: null,
     validCount,
     unansweredCount,
     invalidCount: all.valid.length - validCount - unansweredCount,

@@ -26,8 +26,7 @@ import { Movement } from './movement'
 import { inOwnFormat, type Moving, movingJobs, roundedNote } from './moving-jobs'
 import { OpenedSurvey } from './opened-survey'
 import { FIRST_LISTS, openingCheck } from './opening-check'
-import { boundsOf } from './overview'
-import { practiceFile } from './practice'
+import { NOISES, practiceFile } from './practice'
 import { type SharedClassifier, sharedClassifier } from './shared-classifier'
 import { type StepMesh, StepSeries } from './step-series'
 import { Survey } from './survey'
@@ -43,12 +42,8 @@ import {
   type SurveyJobs,
   type Written,
 } from './survey-jobs'
-import { turn } from './turn'
 import { wholeOrderOf } from './whole-order'
 import { Writing } from './writing'
-
-/** Until the engine has made its fastest code. */
-const TIMES = 3
 
 /** Bytes of a file that has many cells. */
 const LARGE = 4 * 1024 * 1024
@@ -76,10 +71,8 @@ export interface SurveyEngine extends ReadingEngine {
 
 async function decided(name: string, mesh: Mesh, { core, classifier }: Tools, before: Survey | null) {
   const { classify } = classifier
-  // Helpers decide in the meantime.
-  const boundsMeanwhile = turn().then(() => boundsOf(mesh))
   const { check, finish } = await openingCheck(mesh, { classify, core })
-  const survey = new Survey(check, { core, meeting }, before, await boundsMeanwhile)
+  const survey = new Survey(check, { core, meeting }, before)
   const overview = survey.overview(name, await wholeOrderOf(check, { classify, core }))
   if (check.hexahedra === 0) throw noHexahedra(check, overview.sentences)
   return { survey, finish, overview }
@@ -238,8 +231,7 @@ export function serveSurvey(engine: SurveyEngine): void {
       // One by one it would last, and whoever opens a mesh would wait for it.
       if (!(await own.classifier.prepare())) return null
       const name = 'practice.vtu'
-      for (let time = 0; time < TIMES; ++time)
-        await decided(name, await read({ files: [practiceFile()] }, () => {}), own, null)
+      for (const noise of NOISES) await decided(name, await read({ files: [practiceFile(noise)] }, () => {}), own, null)
       return null
     },
     open: (input, tell) => opening(input, toldSeldom(tell)).catch(refusalOf),

@@ -68,7 +68,7 @@ export function sharedClassifier({ core, batchModule, helper, onProgress }: Clas
     if (!whole) return few(points, cells, wanted)
     const all = wantedOf(wanted)
     const isBegun = begun && areSame(begun.points, points) && areSame(begun.cells, cells) && areAlike(begun.wanted, all)
-    const deciding = begun && isBegun ? begun : new Deciding(whole, { points, cells, ranges: null }, all)
+    const deciding = begun && isBegun ? begun : new Deciding(whole, { points, cells, parts: null }, all)
     begun = null
     deciding.onProgress = onProgress
     deciding.know(cells.length / 8)
@@ -80,12 +80,12 @@ export function sharedClassifier({ core, batchModule, helper, onProgress }: Clas
     know(points, cells, count, wanted) {
       if (!ready || cells.list.length < 8 * MANY) return
       if (begun?.cells !== cells.list)
-        begun = new Deciding(ready, { points, cells: cells.list, ranges: cells.ranges }, wantedOf(wanted))
+        begun = new Deciding(ready, { points, cells: cells.list, parts: cells.parts }, wantedOf(wanted))
       begun.know(count)
     },
     readers: () =>
       [...(ready?.helpers ?? [])].map(helper => ({
-        halve: bytes => helper.run('halve', bytes),
+        halve: (bytes, onPiece) => helper.run('halve', bytes, { onProgress: onPiece }),
         unpack: (bytes, part) => helper.run('unpack', { bytes, part }),
       })),
     async close() {

@@ -52,16 +52,11 @@ export class Survey {
    * Of a check with minima and volumes, whole or with no more than its worst cells in order: `complete` then brings the rest. Of a mesh that
    * takes the place of its earlier step, which is `before`, the picture stays where it is.
    */
-  constructor(
-    check: MeshCheck,
-    conditioned: Conditioned,
-    before: Survey | null = null,
-    bounds: Bounds | null = boundsOf(check.mesh),
-  ) {
+  constructor(check: MeshCheck, conditioned: Conditioned, before: Survey | null = null) {
     this.#check = check
     this.#conditioned = conditioned
     this.#cells = new CheckedCells(columnsOf(check))
-    this.#bounds = bounds
+    this.#bounds = boundsOf(check)
     this.#origin = before ? before.#origin : middleOf(this.#bounds)
     if (before?.check.mesh.cells === check.mesh.cells) this.#neighbours = before.#neighbours
     this.#order = check.worst

@@ -64,8 +64,8 @@ export class Opener {
     if (own !== this.#opening) return own.close()
     this.#opening = null
     state.exchange(own, { aside: this.#putAside(state.shown.aside) })
-    const hasSteps = (await state.asked(open => open.steps())) !== null
-    const beside = 'files' in input && !hasSteps ? namesakeSentence(input.paths) : ''
+    const aboutNames = 'files' in input ? namesakeSentence(input.paths) : ''
+    const beside = aboutNames !== '' && (await state.asked(open => open.steps())) === null ? aboutNames : ''
     if (own === state.survey) await this.#show(result.opened, { example, beside })
   }
 
