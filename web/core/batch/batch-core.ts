@@ -40,7 +40,7 @@ export interface Counts {
   readonly coincidentCount: number
   readonly acceptedByCornersCount: number
   readonly acceptedByVtkCount: number
-  /** Null unless it is asked for. Told is nothing where a cell is unanswered. */
+  /** Null unless it is asked for. It says nothing where a cell is unanswered. */
   readonly box: Box | null
 }
 
@@ -95,7 +95,7 @@ const COUNT_COUNT = 10
 const HL_OK = 0
 const WASM_PAGE = 65536
 
-/** Cells that go into the core's memory at once: 200 kB, which a processor's second cache holds. */
+/** Cells that go into the core's memory at once: 200 kB, which a processor's second cache holds; AT_ONCE of exports_batch.c. */
 const CELLS_PER_CUT = 1024
 
 export function cellCount({ points, cells }: Piece): number {
