@@ -28,8 +28,11 @@ export function readPdf(file: Buffer): PdfContents {
 }
 
 function streamOf(body: string): string {
-  const [, bytes] = /stream\r?\n(.*?)\r?\nendstream/s.exec(body) ?? []
-  if (bytes === undefined) return ''
+  const begin = /stream\r?\n/.exec(body)
+  if (begin === null) return ''
+  // The last byte of a compressed stream may look like an end of line.
+  const from = begin.index + begin[0].length
+  const bytes = body.slice(from, from + Number(/\/Length (\d+)/.exec(body)?.[1]))
   const raw = Buffer.from(bytes, 'latin1')
   return body.includes('/FlateDecode') ? inflateSync(raw).toString('latin1') : bytes
 }

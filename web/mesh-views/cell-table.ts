@@ -48,7 +48,7 @@ export class CellTable {
   readonly #size = new ResizeObserver(() => this.#measure())
   #box: HTMLElement | null = null
   #rowHeight = ROW_HEIGHT
-  /** Pixels, as they were looked at last: to ask a page for them that has just been changed takes a layout. */
+  /** Pixels, as they were looked at last: to ask a page that has just been changed for them takes a layout. */
   #view = 0
   #scrollTop = 0
   #count = 0
@@ -276,6 +276,7 @@ export class CellTable {
   /** Makes a row the active one, and scrolls to it. */
   #goTo(rank: number): void {
     this.#active = Math.min(Math.max(rank, 0), Math.max(0, this.#count - 1))
+    this.#look()
     const { view, range, rows } = this.#extent
     const offset = this.#offset
     const least = this.#active + 2 - view / this.#rowHeight
