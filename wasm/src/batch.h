@@ -19,8 +19,8 @@ typedef struct batch_hints {
   uint8_t *accepted_by;   /* of an invalid cell which of CORNER_CHECKS accept it, bit 1 << c; else 0 */
   float *relative_minima; /* within 2^-20, (L5); NaN where that is not certain */
   bool leaves_valid;      /* relative minima of invalid cells alone: NaN for the others */
-  double *
-      box; /* least x, y and z, then the greatest, of what was there and of all cells, if these are answered; or null */
+  /* Least x, y and z, then the greatest, of what was there and of all cells, if these are answered; or null. */
+  double *box;
 } batch_hints;
 
 /* hl_classify with these kernels, or one by one where they are null. `hints` and `stages` may be null. */

@@ -9,7 +9,7 @@ enum { LISTS = 14, COUNTS = 10 };
 static uint32_t lists[LISTS], counts[COUNTS];
 static double box[6];
 
-/* Cells that may be given at once where candidates are asked for. */
+/* Cells that may be given at once where candidates are asked for; CELLS_PER_CUT of batch-core.ts. */
 enum { AT_ONCE = 1024 };
 static uint32_t candidates[AT_ONCE];
 static float about[AT_ONCE];
