@@ -193,12 +193,14 @@ test('another file ends the workers of the one before', async ({ page }) => {
     return count
   }
   await openSmall()
+  await settled()
+  // A mesh that comes before the next worker has practised, as the first may, has no helper.
+  await openSmall()
   const workers = await settled()
   await open(big)
   await expect(headline(page)).toHaveText('All 216,000 hexahedra are valid.')
   const ofBig = page.workers()
   await openSmall()
-  // A mesh that comes before the next worker has practised has no helper.
   expect(await settled()).toBeLessThanOrEqual(workers)
   await expect.poll(() => page.workers().filter(worker => ofBig.includes(worker)).length).toBeLessThan(ofBig.length)
 })

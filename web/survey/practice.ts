@@ -11,7 +11,7 @@ const VTK_HEXAHEDRON = 12
  * Parts of an edge by which points are moved: with the least a few cells in a thousand are invalid, with the greatest most are, which runs more of
  * the code. As often as an engine needs until it has made its fastest.
  */
-export const NOISES = [0.6, 1.4, 0.6, 1.4, 0.6]
+export const NOISES = [0.6, 1.4, 0.6]
 
 /** As programs write large meshes: VTU, appended, raw, with indices of 64 bits. */
 export function practiceFile(noise: number): File {
