@@ -1,4 +1,4 @@
-/** What batches count in their lists, and the box of their cells. */
+/** The counts of batches in their lists, and the box of their cells. */
 import { describe, expect, test } from 'vitest'
 import { type Box, countsOf, NOTHING_COUNTED, type Piece, sumOfCounts } from '../../web/core/batch/batch-core'
 import { countsIn } from '../../web/mesh/counts-in'
@@ -26,7 +26,7 @@ const hexahedra = [
   ),
 ]
 
-/** Of the coordinates that cells have. */
+/** The box of the coordinates that cells have. */
 function boxOf(coordinates: ArrayLike<number>): number[] {
   const box: number[] = [...EMPTY]
   for (let i = 0; i < coordinates.length; ++i) {

@@ -41,7 +41,7 @@ function bytesOf({ buffer, byteOffset, byteLength }: ArrayBufferView): Buffer {
   return Buffer.from(buffer as ArrayBuffer, byteOffset, byteLength)
 }
 
-/** What is known of the list. */
+/** The greatest number and the step of the list, as the file at hand knows them. */
 async function known(bytes: Uint8Array<ArrayBuffer>, place: Place, readers: readonly PartReader[] = []) {
   const file = await fileAtHand(new ReadFile(bytes), () => {}, core, { onCells() {}, readers })
   return file.lowHalves?.(place.from, countOf(place)) ?? null

@@ -10,7 +10,7 @@ function bytesOf(length: number): Uint8Array<ArrayBuffer> {
   return own
 }
 
-/** Where pieces begin and how long they are; their bytes are looked at as they come. */
+/** The beginnings and lengths of pieces; their bytes are looked at as they come. */
 async function piecesOf(blob: Blob, bytes: Uint8Array): Promise<{ at: number; length: number }[]> {
   const pieces: { at: number; length: number }[] = []
   await eachPiece(blob, (piece, at) => {

@@ -278,7 +278,7 @@ function put({ high, parts }: LowHalves, { from }: Stretch, halves: Halves): voi
   halves.parts.set(parts, (KNOWN_OF_PART * (from - halves.from)) / (8 * PART))
 }
 
-/** Null where one has 2^31 or more. */
+/** The list with its greatest number and its step; null where a number has 2^31 or more. */
 function knownIndices({ list, parts }: Halves): KnownIndices | null {
   const first = list[0] ?? 0
   let greatest = 0

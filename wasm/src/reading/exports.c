@@ -46,7 +46,7 @@ EXPORT(rows) void rows(uint32_t length, uint32_t parts, uint32_t most) {
   taken = hl_rows(input, input + length, pattern, parts, output.numbers, places, most);
 }
 
-/* Of so many integers of 64 bits, part by part. */
+/* The low halves of `count` integers of 64 bits, part by part. */
 EXPORT(halves) void halves(uint32_t count) {
   for (uint32_t from = 0; from < count; from += PART)
     known[from / PART] = hl_low_halves((const uint32_t *)input + 2 * from, count - from < PART ? count - from : PART,

@@ -4,7 +4,7 @@
 
 #include <stdint.h>
 
-/* What a list of integers is known to have. */
+/* The bounds of a list of integers, and its step. */
 typedef struct hl_halves {
   uint32_t high;           /* 0 if no high half is anything else */
   int32_t least, greatest; /* of the low halves, as integers with a sign */

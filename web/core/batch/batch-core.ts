@@ -124,7 +124,7 @@ function boxOfBoth(a: Box, b: Box): Box {
   return a.map((own, i) => (i < 3 ? Math.min : Math.max)(own, b[i] as number)) as unknown as Box
 }
 
-/** Without the lists beside them. */
+/** The counts alone, of an answer that has lists, too. */
 export function countsOf(all: Counts): Counts {
   return Object.fromEntries(
     Object.keys(NOTHING_COUNTED).map(key => [key, all[key as keyof Counts]]),
@@ -251,7 +251,7 @@ export async function loadBatchCore(module: WebAssembly.Module): Promise<BatchCo
     }
   }
 
-  /** Of the last call. */
+  /** The candidates of the last call go into the list. */
   function takeCandidates(list: CandidateList, first: number): void {
     const [count] = new Uint32Array(memory.buffer, wasm.counts_address() + 4 * (COUNT_COUNT - 1), 1)
     const about = new Float32Array(memory.buffer, wasm.about_address(), CELLS_PER_CUT)

@@ -10,7 +10,7 @@ export interface Candidates {
   readonly about: readonly number[]
 }
 
-/** What is asked for: so many of the worst, given that candidates above a limit are none. */
+/** A question for the `few` worst cells, of which none is above `limit`. */
 export interface CandidateOptions {
   readonly few: number
   readonly limit: number
