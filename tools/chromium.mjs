@@ -9,15 +9,22 @@ const MAC_PATHS = ['Chromium.app/Contents/MacOS/Chromium', 'Google Chrome.app/Co
 
 /** The path of a Chromium that starts: on PATH, a macOS application, or the one Playwright downloaded. */
 export async function findChromium() {
+  const installed = await findInstalledChromium()
+  if (installed) return installed
+  const { chromium } = await import('@playwright/test')
+  const downloaded = chromium.executablePath()
+  return existsSync(downloaded) && (await starts(downloaded)) ? downloaded : undefined
+}
+
+/** The same without Playwright's, which Playwright takes where it is given none: modules of Vite's runner can import nothing later. */
+export async function findInstalledChromium() {
   const installed = [
     ...NAMES.map(name => onPath(name)),
     ...(process.platform === 'darwin' ? MAC_PATHS.map(path => executable(`/Applications/${path}`)) : []),
   ]
   // Being there is not enough: Ubuntu's chromium-browser is a script that says to use snap.
   for (const path of installed) if (path && (await starts(path))) return path
-  const { chromium } = await import('@playwright/test')
-  const downloaded = chromium.executablePath()
-  return existsSync(downloaded) && (await starts(downloaded)) ? downloaded : undefined
+  return undefined
 }
 
 async function starts(path) {

@@ -75,7 +75,7 @@ const steps = [
     what: 'a Chromium that starts',
     isDone: findChromium,
     run: installChromium,
-    for: ['test', 'hosts'],
+    for: ['bench', 'test', 'hosts'],
     needsAll: true,
   },
   { what: 'the fonts of the visual tests', isDone: hasVisualFonts, run: installVisualFonts, for: ['test'] },

@@ -6,7 +6,7 @@
 import { spawn } from 'node:child_process'
 import { cpus, loadavg } from 'node:os'
 import { type Browser, chromium, type Page } from '@playwright/test'
-import { findChromium } from '../../tools/chromium.mjs'
+import { findInstalledChromium } from '../../tools/chromium.mjs'
 
 const PORT = 41736
 const MOVES = 120
@@ -29,7 +29,7 @@ export async function main(): Promise<void> {
     stdio: 'ignore',
   })
   try {
-    const executablePath = await findChromium()
+    const executablePath = await findInstalledChromium()
     const browser = await chromium.launch({ ...(executablePath ? { executablePath } : {}), args: ARGUMENTS })
     const page = await browser.newPage({ viewport: { width: 1280, height: 800 } })
     await reach(page)

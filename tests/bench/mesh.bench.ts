@@ -25,6 +25,7 @@ const FILES_IN_A_ROW = 10
 /** Milliseconds. */
 const REST = 1500
 const SAMPLING = 15
+const PATIENCE = 120_000
 
 /** Ten rows of the list are seen. */
 const VIEWPORT = { width: 1440, height: 1200 }
@@ -61,7 +62,6 @@ interface Visit {
   readonly list: number
   readonly picture: number
   readonly longTasks: readonly number[]
-  readonly memory: number
 }
 
 export async function main(options: readonly string[]): Promise<void> {
@@ -104,13 +104,14 @@ interface Surroundings {
 async function compare(rows: readonly Row[], { rounds, files, address, peer, browser }: Surroundings): Promise<void> {
   const visits = rows.map((): Visit[] => [])
   const peers = rows.map((): number[] => [])
-  // The first round starts what is started once, and is not counted.
+  const memories = rows.map(() => 0)
+  // The first round starts what is started once, and looks at the memory, which takes time: it is not counted.
   for (let round = 0; round <= rounds; ++round)
     for (const [i, row] of rows.entries()) {
       const path = join(files, row.file)
       const here = async () => {
-        const visit = await opened(browser, address, path, row)
-        if (round > 0) visits[i]?.push(visit)
+        if (round > 0) visits[i]?.push(await opened(browser, address, path, row))
+        else memories[i] = await memoryOf(browser, address, path, row)
       }
       const there = async () => {
         const milliseconds = await peer.ask(row.job, path)
@@ -126,7 +127,7 @@ async function compare(rows: readonly Row[], { rounds, files, address, peer, bro
     const own = visits[i] as Visit[]
     const here = median(own.map(visit => visit[job]))
     const there = median(peers[i] as number[])
-    const memory = Math.round(median(own.map(visit => visit.memory)) / MEGABYTE)
+    const memory = Math.round((memories[i] as number) / MEGABYTE)
     const longest = Math.round(Math.max(0, ...own.flatMap(({ longTasks }) => longTasks)))
     console.log(
       `| ${name} | ${here.toFixed(0)} | ${there.toFixed(0)} | ${(here / there).toFixed(2)} | ${memory} | ${longest} |`,
@@ -134,7 +135,7 @@ async function compare(rows: readonly Row[], { rounds, files, address, peer, bro
   }
 }
 
-/** The times that the page's script has noted. */
+/** The times that the page's script has noted, and whom it tells. */
 interface Seen {
   /** The last large upload, and the last large drawing. */
   uploaded: number
@@ -143,6 +144,7 @@ interface Seen {
   list: number
   picture: number
   longTasks: { startTime: number; duration: number }[]
+  tell: Partial<Record<Row['job'], () => void>>
 }
 
 async function prepared(browser: Browser, address: string, cores: number | null): Promise<Page> {
@@ -164,34 +166,45 @@ async function prepared(browser: Browser, address: string, cores: number | null)
 
 async function opened(browser: Browser, address: string, path: string, row: Row): Promise<Visit> {
   const page = await prepared(browser, address, row.cores)
-  const own = await memoryOfTabs(browser)
-  const visit = await choose(page, path, row, own)
+  const visit = await choose(page, path, row)
   await page.context().close()
   return visit
 }
 
-async function choose(page: Page, path: string, { hexahedra, job }: Row, own: () => number): Promise<Visit> {
-  let memory = own()
+/** The most that the tab has meanwhile. */
+async function memoryOf(browser: Browser, address: string, path: string, row: Row): Promise<number> {
+  const page = await prepared(browser, address, row.cores)
+  const own = await memoryOfTabs(browser)
+  let most = own()
   const sampling = setInterval(() => {
-    memory = Math.max(memory, own())
+    most = Math.max(most, own())
   }, SAMPLING)
+  await choose(page, path, row).finally(() => clearInterval(sampling))
+  await page.context().close()
+  return most
+}
+
+async function choose(page: Page, path: string, { hexahedra, job }: Row): Promise<Visit> {
   await page.evaluate(expect, { words: hexahedra.toLocaleString('en') })
+  // A function that is asked again and again would have the page make frames.
+  const there = page.evaluate(told, { job, within: PATIENCE })
   await page.locator('input[type=file]').setInputFiles(path)
-  const isThere = (wanted: 'list' | 'picture') => (globalThis as unknown as { seen: Seen }).seen[wanted] > 0
-  await page.waitForFunction(isThere, job, { timeout: 120_000 })
-  clearInterval(sampling)
+  await there
   // Long tasks are told of when they are over.
   await page.waitForTimeout(job === 'picture' ? REST : 0)
-  const { begun, list, picture, longTasks } = await page.evaluate(() => (globalThis as unknown as { seen: Seen }).seen)
+  const { begun, list, picture, longTasks } = await page.evaluate(() => {
+    const { begun, list, picture, longTasks } = (globalThis as unknown as { seen: Seen }).seen
+    return { begun, list, picture, longTasks }
+  })
   const end = picture > 0 ? picture : list
   const before = longTasks.filter(({ startTime }) => startTime >= begun && startTime < end)
-  return { list: list - begun, picture: picture - begun, longTasks: before.map(task => task.duration), memory }
+  return { list: list - begun, picture: picture - begun, longTasks: before.map(task => task.duration) }
 }
 
 /** Runs in the page before its own scripts. A picture is there when the first large drawing behind the list has been rendered. */
 function watch(): void {
   const LARGE = 10_000
-  const seen: Seen = { uploaded: 0, drawn: 0, begun: 0, list: 0, picture: 0, longTasks: [] }
+  const seen: Seen = { uploaded: 0, drawn: 0, begun: 0, list: 0, picture: 0, longTasks: [], tell: {} }
   Object.assign(globalThis, { seen })
   document.addEventListener(
     'change',
@@ -211,6 +224,7 @@ function watch(): void {
     queueMicrotask(() => {
       gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4))
       seen.picture = performance.now()
+      seen.tell.picture?.()
       isUnderWay = false
     })
   }
@@ -249,6 +263,15 @@ function watch(): void {
   })
 }
 
+/** Runs in the page: resolves when it is there. */
+function told({ job, within }: { job: Row['job']; within: number }): Promise<void> {
+  const { seen } = globalThis as unknown as { seen: Seen }
+  return new Promise((resolve, reject) => {
+    seen.tell = { [job]: resolve }
+    setTimeout(() => reject(new Error(`No ${job} within ${within} ms.`)), within)
+  })
+}
+
 /** Runs in the page: waits for a sentence with the count of cells, and for ten rows with numbers. */
 function expect({ words }: { words: string }): void {
   const { seen } = globalThis as unknown as { seen: Seen }
@@ -258,6 +281,7 @@ function expect({ words }: { words: string }): void {
     const rows = document.querySelectorAll('[role=row] [role=gridcell].minimum')
     if (rows.length < 10) return
     seen.list = performance.now()
+    seen.tell.list?.()
     observer.disconnect()
   }
   const observer = new MutationObserver(look)
@@ -271,7 +295,7 @@ async function inARow(browser: Browser, address: string, path: string): Promise<
   const row: Row = { name: '', file: '', hexahedra: MILLION, job: 'picture', cores: null }
   const atRest: number[] = []
   for (let file = 0; file < FILES_IN_A_ROW; ++file) {
-    await choose(page, path, row, own)
+    await choose(page, path, row)
     await page.waitForTimeout(REST)
     atRest.push(own())
   }
@@ -286,7 +310,7 @@ async function inARow(browser: Browser, address: string, path: string): Promise<
 async function sliding(browser: Browser, address: string, path: string): Promise<void> {
   const page = await prepared(browser, address, null)
   const row: Row = { name: '', file: '', hexahedra: MILLION, job: 'picture', cores: null }
-  await choose(page, path, row, await memoryOfTabs(browser))
+  await choose(page, path, row)
   await page.getByRole('button', { name: 'Slice', exact: true }).click()
   await page.waitForTimeout(REST)
   const session = await page.context().newCDPSession(page)

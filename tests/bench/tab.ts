@@ -3,7 +3,7 @@ import { existsSync, readFileSync } from 'node:fs'
 import { createServer, type Server } from 'node:http'
 import { extname, join } from 'node:path'
 import { type Browser, chromium } from '@playwright/test'
-import { findChromium } from '../../tools/chromium.mjs'
+import { findInstalledChromium } from '../../tools/chromium.mjs'
 
 const ARGUMENTS = ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader']
 const TYPES: Record<string, string> = {
@@ -31,7 +31,7 @@ export async function served(folder: string): Promise<{ readonly server: Server;
 }
 
 export async function startedChromium(): Promise<Browser> {
-  const executablePath = await findChromium()
+  const executablePath = await findInstalledChromium()
   return chromium.launch({ ...(executablePath ? { executablePath } : {}), args: ARGUMENTS })
 }
 

@@ -8,7 +8,7 @@ import { readFileSync } from 'node:fs'
 import { createServer } from 'node:http'
 import { cpus, loadavg } from 'node:os'
 import { chromium } from '@playwright/test'
-import { findChromium } from '../../tools/chromium.mjs'
+import { findInstalledChromium } from '../../tools/chromium.mjs'
 
 const FOLDER = 'dist'
 const VISITS = 15
@@ -58,7 +58,7 @@ export async function main(): Promise<void> {
   })
   await new Promise<void>(resolve => server.listen(0, '127.0.0.1', resolve))
   const { port } = server.address() as { port: number }
-  const executablePath = await findChromium()
+  const executablePath = await findInstalledChromium()
   const browser = await chromium.launch({ ...(executablePath ? { executablePath } : {}), args: ARGUMENTS })
   console.log(
     `${cpus()[0]?.model}, Chromium ${browser.version()}, load ${loadavg()[0]?.toFixed(1)}: ${VISITS} visits each`,
