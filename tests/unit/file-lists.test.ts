@@ -34,6 +34,37 @@ describe('a raw VTU', () => {
     expect(areEqual(core.lowHalves(new Uint8Array(cells as ArrayBuffer)).list, mesh?.cells)).toBe(true)
   })
 
+  test('says so from its beginning alone, where they follow each other', () => {
+    const reads: number[] = []
+    const counted: MeshFile = {
+      ...file,
+      read(from, to) {
+        reads.push(to)
+        return file.read(from, to)
+      },
+    }
+    expect(listsIn(counted)).toEqual(lists)
+    expect(Math.max(...reads)).toBeLessThanOrEqual(64 * 1024)
+    expect(reads.length).toBeLessThanOrEqual(3)
+  })
+
+  test('says so from the lengths before them, where there is room between them', () => {
+    const text = new TextDecoder('latin1').decode(bytes.subarray(0, 2000))
+    const [, offset = ''] = /Name="types" format="appended" offset="(\d+)"/.exec(text) ?? []
+    const moved = bytes.slice()
+    moved.set(new TextEncoder().encode(String(Number(offset) + 8)), text.indexOf(offset, text.indexOf('"types"')))
+    expect(listsIn(fileOfBytes('practice.vtu', moved))).toEqual(lists)
+  })
+
+  test('has an index that is none: it is told with its byte', () => {
+    const { from } = lists[1] as FileList
+    const bad = bytes.slice()
+    new DataView(bad.buffer).setBigInt64(from + 8 * 40_000, -7n, true)
+    expect(() => readMeshes(fileOfBytes('bad.vtu', bad))).toThrow(
+      `bad.vtu, byte ${from + 8 * 40_000}: “connectivity” has -7 as its number 40000, counted from 0,`,
+    )
+  })
+
   test('is read the same with the halves that were taken beforehand, and without those that have more', () => {
     const taken = (isWhole: boolean): MeshFile => ({
       ...file,

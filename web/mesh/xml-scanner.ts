@@ -101,26 +101,33 @@ export class XmlScanner {
   }
 
   #tag(from: number): XmlTag {
-    this.#load(from, LONGEST_TAG)
+    const end = this.#endOfTag(from, 1) ?? this.#endOfTag(from, LONGEST_TAG)
     const bytes = this.#bytes
     const first = from - this.#start
-    const last = Math.min(bytes.length, first + LONGEST_TAG)
-    let quote = 0
-    let end = first + 1
-    for (; end < last; ++end) {
-      const byte = bytes[end]
-      if (quote !== 0) {
-        if (byte === quote) quote = 0
-      } else if (byte === QUOTE || byte === APOSTROPHE) quote = byte
-      else if (byte === GREATER || byte === LESS) break
-    }
-    if (end >= last) {
-      const isLong = last < bytes.length
+    if (end === null) {
+      const isLong = first + LONGEST_TAG < bytes.length
       this.refuse(from, isLong ? 'a tag is longer than tags of a mesh are.' : 'the file is cut off inside of a tag.')
     }
     if (bytes[end] === LESS) this.refuse(from, 'a tag begins inside of a tag.')
     this.position = this.#start + end + 1
     return this.#parsed(decoder.decode(bytes.subarray(first + 1, end)), from)
+  }
+
+  /** Where it ends, or another begins, among the bytes that are held, so many at least; null if it does not. */
+  #endOfTag(from: number, count: number): number | null {
+    this.#load(from, count)
+    const bytes = this.#bytes
+    const first = from - this.#start
+    const last = Math.min(bytes.length, first + LONGEST_TAG)
+    let quote = 0
+    for (let end = first + 1; end < last; ++end) {
+      const byte = bytes[end]
+      if (quote !== 0) {
+        if (byte === quote) quote = 0
+      } else if (byte === QUOTE || byte === APOSTROPHE) quote = byte
+      else if (byte === GREATER || byte === LESS) return end
+    }
+    return null
   }
 
   #parsed(text: string, from: number): XmlTag {

@@ -76,17 +76,25 @@ export function readArray<T extends NumberList>(
   return new BinaryArray(storage, array, count, List).read()
 }
 
-/** Where a list of a piece of so many cells lies, of doubles or integers of 64 bits in memory's order; nothing of another one. */
-export function listOf(storage: Storage, array: DataArray, cells: number): FileList[] {
+/** The piece of an array, and the bytes from its header to that of the array behind it; infinite for the last one. */
+export interface Surroundings {
+  readonly points: number
+  readonly cells: number
+  readonly room: number
+}
+
+/** Where a list lies, of doubles or integers of 64 bits in memory's order; nothing of another one. */
+export function listOf(storage: Storage, array: DataArray, around: Surroundings): FileList[] {
   const isLong = array.type === 'Int64' || array.type === 'UInt64'
   const isFitting = isLong || array.type === 'Float64'
   if (!isFitting || !storage.isLittleEndian || !MACHINE_IS_LITTLE_ENDIAN) return []
   const place = placeOf(storage, array)
-  const found = place && (storage.decompress === null ? plainList(storage, place) : packedList(storage, place))
+  const found =
+    place && (storage.decompress === null ? plainList(storage, place, array, around) : packedList(storage, place))
   if (!found) return []
   const bytes = found.packed ? found.packed.bytes : found.to - found.from
   if (bytes % 8 !== 0) return []
-  const isOfHexahedra = array.name === 'connectivity' && isLong && bytes === 64 * cells
+  const isOfHexahedra = array.name === 'connectivity' && isLong && bytes === 64 * around.cells
   const holds = array.name === 'Points' && !isLong ? 'points' : isOfHexahedra ? 'hexahedra' : null
   return [{ ...found, isLong, holds }]
 }
@@ -112,10 +120,18 @@ function placeOf({ file, appended }: Storage, { format, offset, from, to }: Data
 
 type FoundList = Pick<FileList, 'from' | 'to' | 'packed'>
 
-function plainList({ file, headerType }: Storage, { from: at, isBase64 }: Place): FoundList | null {
+/** The length stands before the list, which may be far from all that is read so far; where the room is that of hexahedra, it is no question. */
+function plainList(
+  { file, headerType }: Storage,
+  { from: at, isBase64 }: Place,
+  { name }: DataArray,
+  { points, cells, room }: Surroundings,
+): FoundList | null {
   const from = at + sizeOf(headerType)
   if (isBase64 || from > file.size) return null
-  const bytes = headerNumbers(file.read(at, from), headerType, true)[0] as number
+  const likely = name === 'Points' ? 24 * points : name === 'connectivity' ? 64 * cells : 8 * cells
+  const bytes =
+    from + likely === at + room ? likely : (headerNumbers(file.read(at, from), headerType, true)[0] as number)
   return from + bytes <= file.size ? { from, to: from + bytes, packed: null } : null
 }
 
@@ -208,10 +224,8 @@ class BinaryArray<T extends NumberList> {
     this.#list = new List(0)
   }
 
-  #refuse(what: string): never {
-    throw new MeshRefusal(
-      `${this.#storage.file.name}, byte ${this.#source.position}: ${shown(this.#array.name)} ${what}`,
-    )
+  #refuse(what: string, at = this.#source.position): never {
+    throw new MeshRefusal(`${this.#storage.file.name}, byte ${at}: ${shown(this.#array.name)} ${what}`)
   }
 
   #open(): ByteSource {
@@ -297,9 +311,10 @@ class BinaryArray<T extends NumberList> {
     }
     this.#makeRoom()
     for (let left = bytes; left > 0; ) {
+      const from = this.#source.position
       const chunk = this.#take(Math.min(left, CHUNK))
       left -= chunk.length
-      this.#append(chunk)
+      this.#append(chunk, this.#source instanceof RawBytes ? from : null)
       this.#progress()
     }
   }
@@ -351,8 +366,8 @@ class BinaryArray<T extends NumberList> {
     options.onProgress(this.#source.position / file.size)
   }
 
-  /** Whole numbers, which begin at a multiple of eight bytes of their buffer or are copied there. */
-  #append(bytes: Uint8Array): void {
+  /** Whole numbers, which begin at a multiple of eight bytes of their buffer or are copied there; `from` is their byte in the file, if they have one. */
+  #append(bytes: Uint8Array, from: number | null = null): void {
     const count = bytes.length / this.#size
     if (this.#filled + count > this.#list.length) {
       const longer = new this.#List(Math.min(this.#count, Math.max(2 * this.#list.length, this.#filled + count)))
@@ -362,7 +377,10 @@ class BinaryArray<T extends NumberList> {
     const aligned = alignedTo(this.#size, bytes)
     const bad = putNumbers(this.#array.type, aligned, !this.#storage.isLittleEndian, this.#list, this.#filled)
     if (bad !== null)
-      this.#refuse(`has ${bad.value} as its number ${this.#filled + bad.at}, where an index from 0 on was expected.`)
+      this.#refuse(
+        `has ${bad.value} as its number ${this.#filled + bad.at}, counted from 0, where an index from 0 on was expected.`,
+        from === null ? this.#source.position : from + bad.at * this.#size,
+      )
     this.#filled += count
   }
 }

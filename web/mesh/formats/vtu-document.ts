@@ -31,7 +31,9 @@ export interface VtkDocument {
   readonly sources: XmlTag[]
   /** The time of the one grid, as an array of the file. */
   time: DataArray | null
-  isComplete: boolean
+  /** Of all arrays that are appended, needed or not. */
+  readonly offsets: number[]
+  readonly isComplete: boolean
 }
 
 export const GRID = 'UnstructuredGrid'
@@ -79,7 +81,15 @@ class DocumentScan {
     this.#endOf = endOf
     const type = root.attributes.get('type') ?? ''
     const storage = storageOf(scanner, file, options, root)
-    const document = { type, storage, pieces: [] as Piece[], sources: [] as XmlTag[], time: null, isComplete: false }
+    const document = {
+      type,
+      storage,
+      pieces: [] as Piece[],
+      sources: [] as XmlTag[],
+      time: null,
+      offsets: [] as number[],
+      isComplete: false,
+    }
     this.document = document
     if (![GRID, PARALLEL_GRID, COLLECTION].includes(type)) refuseType(file, type)
     for (let tag = scanner.next(); tag !== null; tag = scanner.next()) {
@@ -101,7 +111,10 @@ class DocumentScan {
         this.document = {
           ...document,
           storage: { ...storage, appended: this.#appended(tag) },
-          isComplete: endsWell(file),
+          // It lies far behind, and not everybody asks.
+          get isComplete() {
+            return endsWell(file)
+          },
         }
         return
       }
@@ -120,6 +133,7 @@ class DocumentScan {
 
   #take(tag: XmlTag, document: VtkDocument): void {
     const parent = this.#open.at(-1)
+    if (tag.attributes.get('format') === 'appended') document.offsets.push(Number(tag.attributes.get('offset') ?? 0))
     if (tag.name === 'Piece' && parent === GRID) document.pieces.push(this.#piece(tag))
     else if ((tag.name === 'Piece' && parent === PARALLEL_GRID) || (tag.name === 'DataSet' && parent === COLLECTION))
       document.sources.push(tag)

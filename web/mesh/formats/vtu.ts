@@ -53,13 +53,21 @@ export const vtu: MeshFormat = {
   listsIn(file) {
     const document = scanDocument(new XmlScanner(file), file, { ...NOTHING_BESIDE, core: null }, endOfBlocks)
     if (document === null) return []
-    return document.pieces.flatMap(({ arrays, cells }) =>
-      [...arrays.values()].flatMap(array => listOf(document.storage, array, cells)),
+    const ends = nextOf(document.offsets)
+    const roomOf = ({ offset }: DataArray) => (ends.get(offset) ?? Infinity) - offset
+    return document.pieces.flatMap(({ arrays, points, cells }) =>
+      [...arrays.values()].flatMap(array => listOf(document.storage, array, { points, cells, room: roomOf(array) })),
     )
   },
 }
 
 const NOTHING_BESIDE = { find: () => null, onProgress() {}, throwIfCancelled() {}, step: 0, hdf5: null } as const
+
+/** The next greater one of each but the greatest. */
+function nextOf(offsets: readonly number[]): Map<number, number> {
+  const rising = [...new Set(offsets)].sort((a, b) => a - b)
+  return new Map(rising.slice(1).map((next, i) => [rising[i] as number, next]))
+}
 
 function readDocument(document: VtkDocument, file: MeshFile, options: ReadOptions, mesh: VtkMesh): void {
   if (document.type === PARALLEL_GRID || document.type === COLLECTION) readSources(document, file, options, mesh)
