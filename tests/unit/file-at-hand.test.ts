@@ -5,14 +5,16 @@ import { loadReadingCore } from '../../web/core/reading-core'
 import { fileAtHand, type PartReader } from '../../web/input/file-at-hand'
 import { eachPiece, PIECE } from '../../web/input/pieces-of'
 import { unpackedPart } from '../../web/input/unpacking'
+import { vtu } from '../../web/mesh/formats/vtu'
 import type { Mesh } from '../../web/mesh/mesh'
 import { listsIn, readMeshes } from '../../web/mesh/read-mesh'
 import { fileOfBytes } from '../../web/mesh/source'
 import { practiceFile } from '../../web/survey/practice'
 import { ReadFile, stubFileReaderSync } from './read-blobs'
 
+let reads: ReturnType<typeof stubFileReaderSync>
 beforeEach(() => {
-  stubFileReaderSync()
+  reads = stubFileReaderSync()
 })
 
 const core = await loadReadingCore(readFileSync(new URL('../../build/hexlens-reading.wasm', import.meta.url)))
@@ -95,6 +97,14 @@ describe.each(Object.entries(crews))('%s', (_, readers) => {
     expect(progress).toEqual(progress.toSorted((a, b) => a - b))
     own.close()
   })
+})
+
+test('what reads the mesh finds all of it at hand', async () => {
+  const own = await fileAtHand(new ReadFile(plain), () => {}, core, { onCells() {}, readers: [another] })
+  const before = reads.times
+  const alone = { find: () => null, onProgress() {}, throwIfCancelled() {}, step: 0, core, hdf5: null }
+  expect(vtu.read(own, alone)[0]?.cells.length).toBe(8 * 42 ** 3)
+  expect(reads.times).toBe(before)
 })
 
 test('one end that is another, in each kind of place, leaves no step', async () => {

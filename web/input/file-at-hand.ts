@@ -18,8 +18,9 @@ const AHEAD = 2
 /** Shorter files are read at once anyway; longer ones stay where they are and are read in parts. */
 const SHORT = 1024 * 1024
 const LONG = 1024 * 1024 * 1024
-/** Less than that between two lists is not read beforehand. */
+/** Bytes between two lists, such as the length of one: they are read at once with all others. More are left to whoever asks for them. */
 const LITTLE = 1024
+const MOST_LITTLE = 64
 /** Eight indices of 64 bits. */
 const BYTES_OF_A_CELL = 64
 
@@ -68,7 +69,7 @@ export interface CellsInParts {
 
 /** Somebody else who reads parts of a file; a promise that rejects is of one who does no more. */
 export interface PartReader {
-  /** Integers of 64 bits, piece after piece. */
+  /** Integers of 64 bits, piece after piece, whose lists hold until the next one. */
   halve(bytes: Blob, onPiece: (piece: HalvesOfPiece) => void): Promise<unknown>
   /** Compressed blocks; null where they are damaged. */
   unpack(bytes: Blob, part: PackedPart): Promise<UnpackedPart | null>
@@ -107,9 +108,11 @@ export async function fileAtHand(
     toldCells = known
     onCells(points, halves, known)
   }
-  const waiting = slices.filter(({ readTo, to }) => readTo < to)
+  const unread = slices.filter(({ readTo, to }) => readTo < to)
+  const little = unread.filter(isLittle)
+  const waiting = unread.filter(slice => !isLittle(slice))
   const packed: Packed[] = unpacking.flatMap(each => each.parts.map(part => ({ each, part })))
-  const total = [...waiting, ...packed.map(({ part }) => part)].reduce((sum, { from, to }) => sum + to - from, 0)
+  const total = [...unread, ...packed.map(({ part }) => part)].reduce((sum, { from, to }) => sum + to - from, 0)
 
   function took(bytes: number): void {
     done += bytes
@@ -182,6 +185,7 @@ export async function fileAtHand(
   }
 
   await Promise.all([
+    ...little.map(read),
     ...Array.from({ length: AT_ONCE }, readAll),
     ...readers.flatMap(reader => Array.from({ length: AHEAD }, () => readElsewhere(reader))),
   ])
@@ -267,10 +271,11 @@ function slicesOf(lists: readonly FileList[], size: number, readerCount: number)
     else cutTo(to, left => left, null)
   }
   cutTo(size, () => SLICE, null)
-  // Such as the length of a list before it: whoever asks for it reads it.
-  for (const slice of slices) if (slice.to - slice.from < LITTLE) slice.readTo = slice.to
+  for (const slice of slices.filter(isLittle).slice(MOST_LITTLE)) slice.readTo = slice.to
   return slices
 }
+
+const isLittle = ({ from, to }: Stretch) => to - from < LITTLE
 
 /** Of a piece; pieces are whole parts, but for the last of a list. */
 function put({ high, parts }: LowHalves, { from }: Stretch, halves: Halves): void {
