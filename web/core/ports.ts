@@ -33,7 +33,7 @@ export function threadPort(thread: Thread): WorkerPort {
   const port: WorkerPort = {
     postMessage(request, transfer) {
       thread.postMessage(request, transfer)
-      if (request.kind !== 'start' && ++jobs === 1) thread.ref()
+      if (request.kind !== 'start' && request.kind !== 'back' && ++jobs === 1) thread.ref()
     },
     onreply: null,
     onbroken: null,

@@ -9,7 +9,10 @@ type Job<J extends Jobs, Kind extends keyof J> = Parameters<J[Kind]>[0]
 type Tell<J extends Jobs, Kind extends keyof J> = Parameters<J[Kind]>[1]
 type Answer<J extends Jobs, Kind extends keyof J> = Awaited<ReturnType<J[Kind]>>
 
-/** `given` is the job; for the kind `start`, which comes first, what the worker is started with. */
+/**
+ * `given` is the job; for the kind `start`, which comes first, what the worker is started with; for the kind `back`, memory that it has told of and
+ * may fill again.
+ */
 export interface Request {
   readonly kind: string
   readonly given: unknown
@@ -52,13 +55,14 @@ const JOBS_AHEAD = 2
 /** A guard against waiting for ever, not a measurement: a script may come over a slow line. */
 const START_WITHIN = 60_000
 
+/** Called with the progress, and with a function that gives memory of it back to the worker. */
+type Listener<Progress> = (progress: Progress, giveBack: (memory: unknown) => void) => void
+
 interface Watched {
   readonly caller: object
-  /** A Listener of this job. */
+  /** The listener of this job, if there is one. */
   readonly onProgress: unknown
 }
-
-type Listener = ((progress: unknown) => void) | undefined
 
 interface Task extends Watched {
   readonly resolve: (answer: never) => void
@@ -86,7 +90,7 @@ export class Pool<Start, J extends Jobs> {
   async run<Kind extends keyof J & string>(
     kind: Kind,
     job: Job<J, Kind>,
-    { caller = this, onProgress }: { caller?: object; onProgress?: Tell<J, Kind> } = {},
+    { caller = this, onProgress }: { caller?: object; onProgress?: Listener<Parameters<Tell<J, Kind>>[0]> } = {},
   ): Promise<Answer<J, Kind>> {
     return this.#freest().run({ kind, given: job }, { caller, onProgress })
   }
@@ -171,9 +175,14 @@ class PoolWorker {
     if (reply.kind === 'started') {
       clearTimeout(this.#deadline)
       this.#problem = 'ended before it had answered'
-    } else if (reply.kind === 'progress') (this.#tasks[0]?.onProgress as Listener)?.(reply.progress)
+    } else if (reply.kind === 'progress') this.#tell(reply.progress)
     else if (reply.kind === 'answer') this.#tasks.shift()?.resolve(reply.answer as never)
     else this.#fail(reply.message)
+  }
+
+  #tell(progress: unknown): void {
+    const onProgress = this.#tasks[0]?.onProgress as Listener<unknown> | undefined
+    onProgress?.(progress, memory => this.#port.postMessage({ kind: 'back', given: memory }, memoryOf(memory)))
   }
 
   #fail(reason: string | null): void {
@@ -241,8 +250,15 @@ interface Scope {
   postMessage(reply: Reply, transfer: ArrayBuffer[]): void
 }
 
-/** Serves in a worker of a page or in a thread of Node; `name` is that of its lock. If anything rejects, the worker is of no more use. */
-export function serve<Start, J extends Jobs>(name: string, start: (given: Start) => J | Promise<J>): void {
+/**
+ * Serves in a worker of a page or in a thread of Node; `name` is that of its lock. If anything rejects, the worker is of no more use. What comes back
+ * does so at any time.
+ */
+export function serve<Start, J extends Jobs>(
+  name: string,
+  start: (given: Start) => J | Promise<J>,
+  takeBack: (memory: never) => void = () => {},
+): void {
   const isInBrowser = 'postMessage' in globalThis
   const scope = isInBrowser ? (globalThis as unknown as Scope) : threadScope()
   let jobs: J
@@ -262,6 +278,7 @@ export function serve<Start, J extends Jobs>(name: string, start: (given: Start)
   }
 
   scope.onmessage = ({ data }) => {
+    if (data.kind === 'back') return takeBack(data.given as never)
     turn = turn.then(() => answer(data)).catch(reason => reply({ kind: 'failed', message: wordsOf(reason) }))
   }
 }

@@ -16,7 +16,17 @@ export type HelperJobs = BatchJobs & {
   unpack(job: { readonly bytes: Blob; readonly part: PackedPart }): Promise<UnpackedPart | null>
 }
 
-serve<WebAssembly.Module, HelperJobs>('hexlens-helper', async module => {
+/** Lists of pieces that have been told of. */
+const spare: Uint32Array<ArrayBuffer>[] = []
+
+function listOf(count: number): Uint32Array<ArrayBuffer> {
+  const own = spare.pop()
+  return own && own.length >= count ? own.subarray(0, count) : new Uint32Array(count)
+}
+
+serve<WebAssembly.Module, HelperJobs>('hexlens-helper', start, (list: Uint32Array<ArrayBuffer>) => spare.push(list))
+
+async function start(module: WebAssembly.Module): Promise<HelperJobs> {
   const started = readingFiles()
   async function reading(): Promise<ReadingCore> {
     const core = await started
@@ -32,9 +42,9 @@ serve<WebAssembly.Module, HelperJobs>('hexlens-helper', async module => {
     },
     async halve(bytes, tell) {
       const core = await reading()
-      await eachPiece(bytes, (piece, at) => tell({ ...core.lowHalves(piece), at }))
+      await eachPiece(bytes, (piece, at) => tell({ ...core.lowHalves(piece, listOf(piece.length / 8)), at }))
       return null
     },
     unpack: async ({ bytes, part }) => unpackedPart(await bytes.arrayBuffer(), part, await reading()),
   }
-})
+}

@@ -5,7 +5,7 @@ import { defaultWorkers } from '../core/batch/start'
 import type { Core } from '../core/report'
 import { Pool, type WorkerPort } from '../core/workers'
 import { cellClassifier } from '../input/classify-cells'
-import type { CellsInParts, PartReader } from '../input/file-at-hand'
+import type { CellsInParts, HalvesOfPiece, PartReader } from '../input/file-at-hand'
 import type { ClassifyCells } from '../mesh/check'
 import { type Crew, Deciding, type Helper, MANY } from './deciding'
 
@@ -85,7 +85,13 @@ export function sharedClassifier({ core, batchModule, helper, onProgress }: Clas
     },
     readers: () =>
       [...(ready?.helpers ?? [])].map(helper => ({
-        halve: (bytes, onPiece) => helper.run('halve', bytes, { onProgress: onPiece }),
+        halve: (bytes, onPiece) => {
+          const onProgress = (piece: HalvesOfPiece, giveBack: (list: Uint32Array) => void) => {
+            onPiece(piece)
+            giveBack(piece.list)
+          }
+          return helper.run('halve', bytes, { onProgress })
+        },
         unpack: (bytes, part) => helper.run('unpack', { bytes, part }),
       })),
     async close() {
