@@ -36,18 +36,27 @@ export class OpenSurvey {
   #arranging = 0
   #writing = 0
   #closings = 0
+  #isPractising = true
 
   constructor(spawn: () => WorkerPort) {
     this.#pool = new Pool({ name: 'the worker of the mesh', size: 1, spawn, start: null })
   }
 
-  /** Starts the worker before there is anything to open; whatever goes wrong is said when there is. */
+  /** Starts the worker before there is anything to open, and lets it practise until there is; whatever goes wrong is said then. */
   prepare(): void {
-    this.#pool.run('prepare', null).catch(() => {})
+    this.#practise().catch(() => {})
+  }
+
+  async #practise(): Promise<void> {
+    for (const practice of await this.#pool.run('prepare', null)) {
+      if (!this.#isPractising) return
+      await this.#pool.run('practise', practice)
+    }
   }
 
   /** Whatever goes wrong is a sentence. */
   async open(input: PastedInput, onProgress: (progress: ReadingProgress) => void): Promise<Opening> {
+    this.#isPractising = false
     try {
       return await this.#pool.run('open', input, { onProgress })
     } catch (reason) {
@@ -57,6 +66,7 @@ export class OpenSurvey {
 
   /** Ends the worker with all that it holds; what it was asked rejects. */
   close(): void {
+    this.#isPractising = false
     this.#selection++
     this.#arranging++
     this.#writing++

@@ -11,7 +11,16 @@ const VTK_HEXAHEDRON = 12
  * Parts of an edge by which points are moved: with the least a few cells in a thousand are invalid, with the greatest most are, which runs more of
  * the code. As often as an engine needs until it has made its fastest.
  */
-export const NOISES = [0.6, 1.4, 0.6]
+const NOISES = [0.6, 1.4, 0.6]
+
+/** A mesh to be opened, and whether all of its check is wanted, beyond what is shown first. */
+export interface Practice {
+  readonly noise: number
+  readonly isWhole: boolean
+}
+
+/** What comes after the worst cells comes in the end: whoever opens a mesh early does without it. */
+export const PRACTICE: readonly Practice[] = NOISES.map((noise, i) => ({ noise, isWhole: i === NOISES.length - 1 }))
 
 /** As programs write large meshes: VTU, appended, raw, with indices of 64 bits. */
 export function practiceFile(noise: number): File {

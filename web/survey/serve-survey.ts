@@ -26,7 +26,7 @@ import { Movement } from './movement'
 import { inOwnFormat, type Moving, movingJobs, roundedNote } from './moving-jobs'
 import { OpenedSurvey } from './opened-survey'
 import { FIRST_LISTS, openingCheck } from './opening-check'
-import { NOISES, practiceFile } from './practice'
+import { PRACTICE, practiceFile } from './practice'
 import { type SharedClassifier, sharedClassifier } from './shared-classifier'
 import { type StepMesh, StepSeries } from './step-series'
 import { Survey } from './survey'
@@ -229,9 +229,12 @@ export function serveSurvey(engine: SurveyEngine): void {
     async prepare() {
       const [own] = await Promise.all([tools(), engine.readingCore()])
       // One by one it would last, and whoever opens a mesh would wait for it.
-      if (!(await own.classifier.prepare())) return null
-      const name = 'practice.vtu'
-      for (const noise of NOISES) await decided(name, await read({ files: [practiceFile(noise)] }, () => {}), own, null)
+      return (await own.classifier.prepare()) ? PRACTICE : []
+    },
+    async practise({ noise, isWhole }) {
+      const file = practiceFile(noise)
+      const { finish } = await decided(file.name, await read({ files: [file] }, () => {}), await tools(), null)
+      if (isWhole) await finish?.()
       return null
     },
     open: (input, tell) => opening(input, toldSeldom(tell)).catch(refusalOf),

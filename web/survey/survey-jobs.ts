@@ -8,13 +8,16 @@ import type { StepAnswer } from '../mesh/step-answers'
 import type { Vec3, Vertices } from '../model/hexahedron'
 import type { NodeOrder } from '../model/node-orders'
 import type { IdKind } from '../outputs/ids'
+import type { Practice } from './practice'
 
 export type { Histogram } from '../mesh/histogram'
 
-/** All jobs but `prepare` and `open` want a mesh that is open. Each is short; what takes long goes on in steps. */
+/** All jobs but `prepare`, `practise` and `open` want a mesh that is open. Each is short; what takes long goes on in steps. */
 export type SurveyJobs = {
-  /** Loads what opening needs, before there is anything to open. */
-  prepare(_: null): Promise<null>
+  /** Loads what opening needs, before there is anything to open. What is worth practising. */
+  prepare(_: null): Promise<readonly Practice[]>
+  /** Opens a mesh that nobody sees. */
+  practise(practice: Practice): Promise<null>
   open(input: PastedInput, tell: (progress: ReadingProgress) => void): Promise<Opening>
   /** Rows from one rank to another in the present order. */
   rows(ranks: { readonly from: number; readonly to: number }): readonly Row[]
