@@ -13,7 +13,7 @@ import type { SettingsTravel } from './settings-travel'
 import type { About, Showing } from './showing'
 
 /** Milliseconds. */
-const SOON = 300
+const SOON = 500
 
 export interface OpenerActions {
   readonly showing: Showing
@@ -146,7 +146,8 @@ export class Opener {
     const { overview, example, beside, movement } = shown
     if (!survey) return before
     if (!overview || !this.#actions.moves.areUnsaved) {
-      survey.close()
+      // Ending a worker takes as long as showing what comes in its place, which comes first.
+      setTimeout(() => survey.close())
       return before
     }
     before?.survey.close()
