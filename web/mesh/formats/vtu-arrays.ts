@@ -378,7 +378,7 @@ class BinaryArray<T extends NumberList> {
     const bad = putNumbers(this.#array.type, aligned, !this.#storage.isLittleEndian, this.#list, this.#filled)
     if (bad !== null)
       this.#refuse(
-        `has ${bad.value} as its number ${this.#filled + bad.at}, counted from 0, where an index from 0 on was expected.`,
+        `has ${bad.value} as its number ${this.#filled + bad.at}, counted from 0, where an index was expected.`,
         from === null ? this.#source.position : from + bad.at * this.#size,
       )
     this.#filled += count

@@ -53,21 +53,18 @@ export const vtu: MeshFormat = {
   listsIn(file) {
     const document = scanDocument(new XmlScanner(file), file, { ...NOTHING_BESIDE, core: null }, endOfBlocks)
     if (document === null) return []
-    const ends = nextOf(document.offsets)
-    const roomOf = ({ offset }: DataArray) => (ends.get(offset) ?? Infinity) - offset
+    const rising = [...new Set(document.offsets)].sort((a, b) => a - b)
+    const ends = new Map(rising.map((offset, i) => [offset, rising[i + 1] ?? Infinity]))
     return document.pieces.flatMap(({ arrays, points, cells }) =>
-      [...arrays.values()].flatMap(array => listOf(document.storage, array, { points, cells, room: roomOf(array) })),
+      [...arrays.values()].flatMap(array => {
+        const room = (ends.get(array.offset) ?? Infinity) - array.offset
+        return listOf(document.storage, array, { points, cells, room })
+      }),
     )
   },
 }
 
 const NOTHING_BESIDE = { find: () => null, onProgress() {}, throwIfCancelled() {}, step: 0, hdf5: null } as const
-
-/** The next greater one of each but the greatest. */
-function nextOf(offsets: readonly number[]): Map<number, number> {
-  const rising = [...new Set(offsets)].sort((a, b) => a - b)
-  return new Map(rising.slice(1).map((next, i) => [rising[i] as number, next]))
-}
 
 function readDocument(document: VtkDocument, file: MeshFile, options: ReadOptions, mesh: VtkMesh): void {
   if (document.type === PARALLEL_GRID || document.type === COLLECTION) readSources(document, file, options, mesh)
