@@ -16,7 +16,7 @@ const BUDGETS = {
   light: 130_000,
   hexMesh: 60_000,
   batch: 104_000,
-  mesh: 124_000,
+  mesh: 125_000,
   meshWorker: 274_000,
   hdf5: 1_100_000,
 }
