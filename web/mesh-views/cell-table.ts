@@ -11,6 +11,9 @@ const HIGHEST = 8_000_000
 const ROW_HEIGHT = 28
 /** Rows that are asked for at once. */
 const BLOCK = 64
+/** Characters for which there is room; that of the chosen cell is bold, and so much wider. */
+const LONGEST_ID = 12
+const BOLD = 1.1
 
 export interface TableHost {
   /** What is said from now on is in the host's language; without it English, or whatever was spoken last. */
@@ -61,6 +64,8 @@ export class CellTable {
   /** As they were before the list has grown. */
   readonly #before = new Map<number, readonly Row[]>()
   #version = 0
+  /** Characters of the longest id that has been seen. */
+  #idLength = 0
 
   constructor(root: HTMLElement, host: TableHost) {
     this.#root = root
@@ -76,6 +81,7 @@ export class CellTable {
     this.#count = count
     this.#hasBlocks = hasBlocks
     this.#order = order
+    this.#idLength = 0
     if (!isGrown) this.#before.clear()
     else for (const [block, rows] of this.#blocks) if (rows) this.#before.set(block, rows)
     this.#blocks = new Map(first.length >= Math.min(BLOCK, count) ? [[0, first]] : [])
@@ -172,9 +178,12 @@ export class CellTable {
     const ranks = Array.from({ length: Math.max(seen, Math.min(1, this.#count)) }, (_, i) => first + i)
     const columns = COLUMNS.filter(({ column }) => column !== 'block' || this.#hasBlocks)
     const isActiveSeen = ranks.includes(this.#active)
+    const lengths = ranks.map(rank => this.#rowAt(rank)?.id.length ?? 0)
+    this.#idLength = Math.min(LONGEST_ID, Math.max(this.#idLength, ...lengths))
     render(
       html`<div
         class=${`rows ${this.#hasBlocks ? 'with-blocks' : ''}`}
+        .style=${`--_id: ${BOLD * this.#idLength}ch`}
         role="grid"
         tabindex="0"
         aria-label=${say('Cells')}
