@@ -113,7 +113,7 @@ export class XmlScanner {
     return this.#parsed(decoder.decode(bytes.subarray(first + 1, end)), from)
   }
 
-  /** Where it ends, or another begins, among the bytes that are held, so many at least; null if it does not. */
+  /** The place of a tag's end, or of another's beginning in it, among the bytes that are held, `count` at least; null if there is none. */
   #endOfTag(from: number, count: number): number | null {
     this.#load(from, count)
     const bytes = this.#bytes

@@ -19,7 +19,7 @@ export type HelperJobs = BatchJobs & {
 /** Lists of pieces that have been told of. */
 const spare: Uint32Array<ArrayBuffer>[] = []
 
-function listOf(count: number): Uint32Array<ArrayBuffer> {
+function spareList(count: number): Uint32Array<ArrayBuffer> {
   const own = spare.pop()
   return own && own.length >= count ? own.subarray(0, count) : new Uint32Array(count)
 }
@@ -42,7 +42,7 @@ async function start(module: WebAssembly.Module): Promise<HelperJobs> {
     },
     async halve(bytes, tell) {
       const core = await reading()
-      await eachPiece(bytes, (piece, at) => tell({ ...core.lowHalves(piece, listOf(piece.length / 8)), at }))
+      await eachPiece(bytes, (piece, at) => tell({ ...core.lowHalves(piece, spareList(piece.length / 8)), at }))
       return null
     },
     unpack: async ({ bytes, part }) => unpackedPart(await bytes.arrayBuffer(), part, await reading()),

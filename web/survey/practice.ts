@@ -19,7 +19,7 @@ export interface Practice {
   readonly isWhole: boolean
 }
 
-/** What comes after the worst cells comes in the end: whoever opens a mesh early does without it. */
+/** The meshes of a practice. The last one alone is checked as a whole: whoever opens a mesh early does without that. */
 export const PRACTICE: readonly Practice[] = NOISES.map((noise, i) => ({ noise, isWhole: i === NOISES.length - 1 }))
 
 /** As programs write large meshes: VTU, appended, raw, with indices of 64 bits. */

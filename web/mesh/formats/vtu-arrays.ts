@@ -83,7 +83,7 @@ export interface Surroundings {
   readonly room: number
 }
 
-/** Where a list lies, of doubles or integers of 64 bits in memory's order; nothing of another one. */
+/** The place of an array's list, if it has doubles or integers of 64 bits in memory's order; else none. */
 export function listOf(storage: Storage, array: DataArray, around: Surroundings): FileList[] {
   const isLong = array.type === 'Int64' || array.type === 'UInt64'
   const isFitting = isLong || array.type === 'Float64'

@@ -31,7 +31,7 @@ export interface VtkDocument {
   readonly sources: XmlTag[]
   /** The time of the one grid, as an array of the file. */
   time: DataArray | null
-  /** Of all arrays that are appended, needed or not. */
+  /** The offsets of all arrays that are appended, needed or not. */
   readonly offsets: number[]
   readonly isComplete: boolean
 }
