@@ -378,6 +378,19 @@ test('a large file is read by several workers as it comes, and by blocks', async
   await expect(headline(page)).toHaveText(headlineOf(check))
 })
 
+test('a long id is seen whole in the list', async ({ page }) => {
+  await openMesh(page)
+  const nodes = ['0,0,0', '1,0,0', '1,1,0', '0,1,0', '0,0,1', '1,0,1', '1,1,1', '0,1,1'].map(
+    (at, i) => `${i + 1},${at}`,
+  )
+  const text = ['*NODE', ...nodes, '*ELEMENT,TYPE=C3D8', '1234567890,1,2,3,4,5,6,7,8', ''].join('\n')
+  const file = { name: 'long.inp', mimeType: '', buffer: Buffer.from(text) }
+  await page.locator('.overview input[type=file]').setInputFiles(file)
+  const id = rows(page).first().locator('.id')
+  await expect(id).toHaveText('1234567890')
+  expect(await id.evaluate(({ scrollWidth, clientWidth }) => scrollWidth <= clientWidth)).toBe(true)
+})
+
 test('from the lens a list goes along, whatever it was read from; nothing of it is left behind', async ({
   lens,
   page,
