@@ -58,8 +58,23 @@ function block(n: number, isThere: (i: number, j: number, k: number) => boolean 
   return { ...meshOf([]), points: Float64Array.from(points), cells: Uint32Array.from(cells) }
 }
 
+/** Each of the points with one number in place of its y. */
+function withPoints(mesh: Mesh, others: readonly (readonly [point: number, y: number])[]): Mesh {
+  const points = Float64Array.from(mesh.points)
+  for (const [point, y] of others) points[3 * point + 1] = y
+  return { ...mesh, points }
+}
+
 const elbow = await surveyOf({ ...meshOf([]), ...part() })
 const few = await surveyOf(meshOf([unitCube, notFinite, mirroredCube, flat, invalidCorner]))
+const torn = await surveyOf(
+  withPoints(block(7), [
+    [0, Number.NaN],
+    [200, Infinity],
+    [201, -Infinity],
+    [350, 1e30],
+  ]),
+)
 
 describe('nothing', () => {
   test('cut away leaves the boundary; all faces, where cells are drawn whole', () => {
@@ -209,9 +224,9 @@ describe('for whoever has the boundary', () => {
   })
 
   test('behind planes through any place, near them and far', () => {
-    for (const survey of [elbow, few])
+    for (const survey of [elbow, few, torn])
       for (let round = 0; round < 20; ++round) {
-        // Some planes go through middles themselves.
+        // Most planes go through a middle.
         const { middles } = survey.faced
         const at = 3 * Math.floor((middles.length / 3) * next())
         const normal = [0, 1, 2].map(() => Math.round(4 * next() - 2)) as [number, number, number]

@@ -107,7 +107,9 @@ export function boundaryOf(faced: Faced): Uint32Array {
 /** For each vertex of each face of the boundary 1 where the face is hidden. */
 export function hiddenOf(boundary: Uint32Array, isShown: (cell: number) => boolean): Uint8Array {
   const hidden = new Uint8Array(FACE_VERTICES * boundary.length)
-  for (let i = 0, at = 0; i < boundary.length; ++i, at += FACE_VERTICES)
-    if (!isShown(((boundary[i] as number) / FACES) | 0)) hidden.fill(1, at, at + FACE_VERTICES)
+  for (let i = 0; i < boundary.length; ++i) {
+    if (isShown(((boundary[i] as number) / FACES) | 0)) continue
+    for (let at = FACE_VERTICES * i; at < FACE_VERTICES * (i + 1); ++at) hidden[at] = 1
+  }
   return hidden
 }
