@@ -313,19 +313,13 @@ async function sliding(browser: Browser, address: string, path: string): Promise
   await choose(page, path, row)
   await page.getByRole('button', { name: 'Slice', exact: true }).click()
   await page.waitForTimeout(REST)
-  const session = await page.context().newCDPSession(page)
-  await session.send('Performance.enable')
-  const script = async () => {
-    const { metrics } = await session.send('Performance.getMetrics')
-    return 1000 * (metrics.find(({ name }) => name === 'ScriptDuration')?.value ?? Number.NaN)
-  }
   const slides: { drawing: number; script: number }[] = []
   for (let i = 0; i < SLIDES; ++i) {
-    const before = await script()
-    const drawing = await page.evaluate(slide, 0.3 + (0.4 * i) / SLIDES)
-    slides.push({ drawing, script: (await script()) - before })
+    await browser.startTracing(page, { categories: TRACED })
+    const drawing = await page.evaluate(slide, { to: 0.3 + (0.4 * i) / SLIDES, mark: DRAWN })
     // The renderer in software is not measured.
     await page.waitForTimeout(REST)
+    slides.push({ drawing, script: scriptIn(await browser.stopTracing()) })
   }
   await page.context().close()
   // The first makes what the others find.
@@ -335,8 +329,39 @@ async function sliding(browser: Browser, address: string, path: string): Promise
   )
 }
 
+const TRACED = ['v8', 'devtools.timeline', 'blink.user_timing', '__metadata']
+const DRAWN = 'drawn'
+/** All that calls JavaScript: listeners, frames, messages, and promises that are kept. */
+const CALLS = /^(v8\.callFunction|FunctionCall|RunMicrotasks|V8\.RunMicrotasks)$/
+
+interface Traced {
+  readonly name: string
+  readonly pid: number
+  readonly tid: number
+  readonly ts: number
+  readonly dur?: number
+  readonly args: { readonly name?: string }
+}
+
+/** Milliseconds of JavaScript on the page's thread until it is drawn; the protocol's own count leaves out what follows a message. */
+function scriptIn(trace: Buffer): number {
+  const { traceEvents: events } = JSON.parse(trace.toString()) as { traceEvents: Traced[] }
+  const threadOf = ({ pid, tid }: Traced) => `${pid} ${tid}`
+  const own = new Set(
+    events.filter(({ name, args }) => name === 'thread_name' && args.name === 'CrRendererMain').map(threadOf),
+  )
+  let [sum, end] = [0, 0]
+  const drawn = events.find(({ name }) => name === DRAWN)?.ts ?? Number.NaN
+  const calls = events.filter(event => CALLS.test(event.name) && own.has(threadOf(event)) && event.ts < drawn)
+  for (const { ts, dur = 0 } of calls.sort((a, b) => a.ts - b.ts)) {
+    sum += Math.max(0, ts + dur - Math.max(ts, end))
+    end = Math.max(end, ts + dur)
+  }
+  return sum / 1000
+}
+
 /** Runs in the page: milliseconds from the slider's event until what came from the worker is drawn. */
-async function slide(to: number): Promise<number> {
+async function slide({ to, mark }: { to: number; mark: string }): Promise<number> {
   const { seen } = globalThis as unknown as { seen: Seen }
   const slider = document.querySelector('.bar input[type=range]') as HTMLInputElement
   const { min, max } = slider
@@ -345,6 +370,7 @@ async function slide(to: number): Promise<number> {
   slider.dispatchEvent(new Event('input', { bubbles: true }))
   while (seen.uploaded < begun || seen.drawn < seen.uploaded)
     await new Promise(resolve => requestAnimationFrame(resolve))
+  performance.mark(mark)
   return seen.drawn - begun
 }
 

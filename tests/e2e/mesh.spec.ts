@@ -152,6 +152,35 @@ test('the first mesh: sentence, list, filter, picture, lens', async ({ lens, pag
   })
 })
 
+test('for each place that the slice is slid to, the mesh is drawn once', async ({ page }) => {
+  await page.addInitScript(() => {
+    const counted = { pictures: 0 }
+    Object.assign(globalThis, { counted })
+    const { clear, COLOR_BUFFER_BIT } = WebGL2RenderingContext.prototype
+    WebGL2RenderingContext.prototype.clear = function (mask) {
+      if (mask & COLOR_BUFFER_BIT) counted.pictures++
+      clear.call(this, mask)
+    }
+  })
+  // Of the mesh's picture alone: the lens has one of its own, which is still.
+  const pictures = () =>
+    page.evaluate(() => (globalThis as unknown as { counted: { pictures: number } }).counted.pictures)
+  await openMesh(page)
+  await page.getByRole('button', { name: 'Slice', exact: true }).click()
+  const count = page.locator('.picture .bar .count')
+  await expect(count).toHaveText('4,070 of 7,168 cells.')
+  await page.waitForTimeout(500)
+  const outline = page.locator('.plane .outline')
+  for (const place of ['0.3', '0.6', '0.8']) {
+    const [before, cells, line] = [await pictures(), await count.textContent(), await outline.getAttribute('d')]
+    await page.locator('.bar input[type=range]').fill(place)
+    await expect(count).not.toHaveText(cells ?? '')
+    await expect(outline).not.toHaveAttribute('d', line ?? '')
+    await page.waitForTimeout(300)
+    expect((await pictures()) - before).toBe(1)
+  }
+})
+
 test('the picture: slice, threshold, peel, dig, apart, around a cell, and settings that travel', async ({
   lens,
   page,

@@ -120,7 +120,8 @@ export class MeshPicture {
     this.#chosen = null
     this.#neighbours = []
     this.#isNew = true
-    this.show(NO_CONTENT)
+    this.#take(NO_CONTENT)
+    this.draw()
   }
 
   /** The same mesh at another time, at the same scale: what has moved is seen to have moved. */
@@ -144,12 +145,17 @@ export class MeshPicture {
 
   /** What was shown stays until all of it is loaded: most is at once. */
   show(content: Content): void {
-    if (this.#renderer) {
-      const gl = this.#gl(this.#renderer)
-      this.#faces.put(content, gl)
-      this.#load(gl)
-    }
-    this.draw()
+    this.#take(content)
+    // What is drawn at once has the time until the next frame.
+    if (this.#faces.isLoading) this.draw()
+    else this.#drawNow()
+  }
+
+  #take(content: Content): void {
+    if (!this.#renderer) return
+    const gl = this.#gl(this.#renderer)
+    this.#faces.put(content, gl)
+    this.#load(gl)
   }
 
   #gl(renderer: WebGLRenderer): WebGL2RenderingContext {
@@ -223,10 +229,13 @@ export class MeshPicture {
 
   /** Asks for a frame. */
   draw(): void {
-    this.#frame ||= requestAnimationFrame(() => {
-      this.#frame = 0
-      this.#draw()
-    })
+    this.#frame ||= requestAnimationFrame(() => this.#drawNow())
+  }
+
+  #drawNow(): void {
+    cancelAnimationFrame(this.#frame)
+    this.#frame = 0
+    this.#draw()
   }
 
   /** The picture as it is, with its background. */

@@ -58,17 +58,19 @@ export class PlaneHandle {
     for (const which of ['slide', 'turn'] as const) this.#listen(which, this.#handles[which])
   }
 
-  /** Null hides it. */
+  /** Null hides it. The picture need not be drawn anew for it. */
   set plane(plane: Plane | null) {
     this.#plane = plane
+    if (this.#space) this.draw(this.#space)
   }
 
   draw(space: PictureSpace): void {
     this.#space = space
-    const plane = this.#plane
+    const { camera, scale, corners } = space
+    // Until a mesh is open the picture has no bounds.
+    const plane = corners.length > 0 ? this.#plane : null
     this.root.style.display = plane ? '' : 'none'
     if (!plane) return
-    const { camera, scale, corners } = space
     this.root.setAttribute('viewBox', `0 0 ${camera.width} ${camera.height}`)
     const outline = outlineOf(corners, plane.normal, plane.offset * scale)
     const middle = this.#drag?.which === 'turn' ? this.#drag.middle : middleOf(outline, corners, plane, scale)

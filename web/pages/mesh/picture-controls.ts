@@ -54,6 +54,8 @@ export class PictureControls implements BarHost {
   readonly #marks = document.createElement('canvas')
   readonly #bar = document.createElement('div')
   readonly #tip = document.createElement('p')
+  /** What the marks show. */
+  #marked: readonly unknown[] = []
   #ghostLines: Float64Array | null = null
   #overview: Overview | null = null
   #settings = FIRST_SETTINGS
@@ -300,25 +302,35 @@ export class PictureControls implements BarHost {
 
   #put(): void {
     this.#plane.plane = this.#planeOf(this.#settings.slice)
-    this.#picture.draw()
     this.#render()
     this.#host.changed()
   }
 
   #drawOver(space: PictureSpace): void {
-    const { width, height } = space.camera
+    this.#drawMarks(space)
+    this.#plane.draw(space)
+    this.#host.changed()
+  }
+
+  /** While a slice slides, the marks stay as they are. */
+  #drawMarks(space: PictureSpace): void {
+    const { camera, theme, ramp, share } = space
+    const { width, height } = camera
     const ratio = Math.min(devicePixelRatio, 2)
     const [wide, high] = [Math.round(width * ratio), Math.round(height * ratio)]
+    const colours = this.#overview && this.#settings.colours
+    const marked = [wide, high, ...camera.axes().flat(), theme, ramp, share, colours, this.#ghostLines]
+    const isSame = marked.every((value, i) => value === this.#marked[i])
+    if (isSame && !this.#ghostLines) return
+    this.#marked = marked
     // A size that is set makes the memory anew, also if it is the same.
     if (this.#marks.width !== wide) this.#marks.width = wide
     if (this.#marks.height !== high) this.#marks.height = high
     const context = this.#marks.getContext('2d')
     context?.setTransform(ratio, 0, 0, ratio, 0, 0)
     context?.clearRect(0, 0, width, height)
-    if (context && this.#overview && this.#picture.isDrawn) drawMarks(context, space, this.#settings.colours)
+    if (context && colours && this.#picture.isDrawn) drawMarks(context, space, colours)
     if (context && this.#ghostLines) drawGhostLines(context, space, this.#ghostLines)
-    this.#plane.draw(space)
-    this.#host.changed()
   }
 
   #cellAt(event: PointerEvent): number | null {
