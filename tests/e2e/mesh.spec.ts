@@ -162,7 +162,7 @@ test('for each place that the slice is slid to, the mesh is drawn once', async (
       clear.call(this, mask)
     }
   })
-  // Of the mesh's picture alone: the lens has one of its own, which is still.
+  // The lens clears a picture of its own, but not while the slice slides.
   const pictures = () =>
     page.evaluate(() => (globalThis as unknown as { counted: { pictures: number } }).counted.pictures)
   await openMesh(page)

@@ -146,7 +146,7 @@ export class MeshPicture {
   /** What was shown stays until all of it is loaded: most is at once. */
   show(content: Content): void {
     this.#take(content)
-    // What is drawn at once has the time until the next frame.
+    // The painter begins now, and has the time until the next frame.
     if (this.#faces.isLoading) this.draw()
     else this.#drawNow()
   }

@@ -29,13 +29,13 @@ export function slicedBy(
   // what is computed here by less. Each of the two products is off by three roundings of at most 2^-53 of the sum of its terms.
   const length = Math.hypot(x, y, z) * (1 + 2 ** -22)
   const nearest = offset - 2 ** -50 * greatest * (Math.abs(x) + Math.abs(y) + Math.abs(z))
-  // Where in its bounds a block has its least and its greatest product.
+  // The signs of the normal say which bounds of a block have its least product; the others have its greatest.
   const [leastX, leastY, leastZ] = [x < 0 ? 3 : 0, y < 0 ? 4 : 1, z < 0 ? 5 : 2]
   const found: number[] = []
   let count = 0
   for (let block = 0, cell = 0, at = 0; cell < total; ++block, at += BOUNDS) {
     const end = Math.min(cell + BLOCK, total)
-    // Rounding keeps the order: no product in the block is computed less, or greater. All are NaN with one middle that is.
+    // Rounding keeps the order: no product in the block is computed less, or greater. Both are NaN where a middle is.
     const least =
       x * (bounds[at + leastX] as number) + y * (bounds[at + leastY] as number) + z * (bounds[at + leastZ] as number)
     const most =
@@ -74,7 +74,7 @@ const BLOCK = 16
 const BOUNDS = 6
 
 interface Blocks {
-  /** Of the middles of each block; NaN where one is. */
+  /** The bounds of each block's middles; NaN where one of them is. */
   readonly bounds: Float32Array
   /** The farthest that a middle of a block has one of its neighbours' from itself, once somebody has asked for it. */
   readonly distances: Float32Array

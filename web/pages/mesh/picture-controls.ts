@@ -54,7 +54,7 @@ export class PictureControls implements BarHost {
   readonly #marks = document.createElement('canvas')
   readonly #bar = document.createElement('div')
   readonly #tip = document.createElement('p')
-  /** What the marks show. */
+  /** The size, view and colours of the marks as they are drawn. */
   #marked: readonly unknown[] = []
   #ghostLines: Float64Array | null = null
   #overview: Overview | null = null
