@@ -1,6 +1,6 @@
 /** The page as a user has it: by roles and names. Every test also watches for what must never happen on the page. */
 import AxeBuilder from '@axe-core/playwright'
-import { test as base, expect, type Locator, type Page } from '@playwright/test'
+import { test as base, type CDPSession, expect, type Locator, type Page } from '@playwright/test'
 
 export class Lens {
   readonly page: Page
@@ -104,6 +104,23 @@ export async function watchContexts(page: Page): Promise<void> {
       })
     }
   })
+}
+
+/** Objects and functions that a page holds. Bytes of its heap would count code, which comes whenever an engine compiles. */
+export async function heldObjects(session: CDPSession): Promise<number> {
+  const pieces: string[] = []
+  const collect = ({ chunk }: { readonly chunk: string }) => pieces.push(chunk)
+  session.on('HeapProfiler.addHeapSnapshotChunk', collect)
+  await session.send('HeapProfiler.takeHeapSnapshot') // collects the garbage first
+  session.off('HeapProfiler.addHeapSnapshotChunk', collect)
+  const { snapshot, nodes } = JSON.parse(pieces.join('')) as {
+    readonly snapshot: { readonly meta: { readonly node_fields: string[]; readonly node_types: [string[]] } }
+    readonly nodes: number[]
+  }
+  const { node_fields: fields, node_types: types } = snapshot.meta
+  const counted = ['object', 'closure'].map(name => types[0].indexOf(name))
+  const ofType = fields.indexOf('type')
+  return nodes.filter((value, i) => i % fields.length === ofType && counted.includes(value)).length
 }
 
 interface Options {

@@ -1,7 +1,7 @@
 /** The element as a guest on somebody else's page. */
 import AxeBuilder from '@axe-core/playwright'
 import type { Page } from '@playwright/test'
-import { expect, test, watchContexts } from './lens'
+import { expect, heldObjects, test, watchContexts } from './lens'
 
 type Element = HTMLElementTagNameMap['hex-lens']
 
@@ -163,11 +163,10 @@ test('put in and taken out a hundred times, nothing is left behind', async ({ pa
       }
     }, times)
   const measure = async () => {
-    await client.send('HeapProfiler.collectGarbage')
-    await client.send('HeapProfiler.collectGarbage')
+    const objects = await heldObjects(client)
     const { metrics } = await client.send('Performance.getMetrics')
     const value = (name: string) => metrics.find(metric => metric.name === name)?.value as number
-    return { nodes: value('Nodes'), listeners: value('JSEventListeners'), heap: value('JSHeapUsedSize') }
+    return { objects, nodes: value('Nodes'), listeners: value('JSEventListeners') }
   }
   await inAndOut(20)
   const early = await measure()
@@ -175,7 +174,7 @@ test('put in and taken out a hundred times, nothing is left behind', async ({ pa
   const late = await measure()
   expect(late.listeners - early.listeners).toBeLessThanOrEqual(10)
   expect(late.nodes - early.nodes).toBeLessThanOrEqual(100)
-  expect(late.heap - early.heap).toBeLessThan(500_000)
+  expect(late.objects - early.objects).toBeLessThan(80)
   expect(await page.evaluate(() => (globalThis as unknown as { contexts: unknown[] }).contexts.length)).toBe(1)
   const sheets = await elements(page).evaluate(lens => lens.shadowRoot?.adoptedStyleSheets.length)
   await inAndOut(1)
