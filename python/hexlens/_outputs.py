@@ -173,6 +173,8 @@ def _row(cell: Cell) -> list[str]:
 
 ID_KINDS: Final = ("abaqus", "nastran", "plain")
 _COMMENTS: Final = {"abaqus": "**", "nastran": "$", "plain": "#"}
+#: Elements of Abaqus and Nastran are numbered from 1, as in the meshes that are written for them.
+_FIRST: Final = {"abaqus": 1, "nastran": 1, "plain": 0}
 #: Abaqus reads 16 entries of a line at most; Nastran's lines have 72 columns for a set.
 _ABAQUS_A_LINE, _NASTRAN_COLUMNS = 16, 72
 
@@ -188,9 +190,13 @@ class IdsOutput:
         check, name = result.check, without_controls(result.file)
         if check is None:
             return
-        ids = [without_controls(check.name_of(int(i))) for i in np.flatnonzero(check.standing == INVALID)]
-        if ids and check.mesh.ids is None:
-            self._said.append(f"{name} has no ids: these are indices from 0, in the file's order.")
+        first, is_numbered = _FIRST[self._kind], check.mesh.ids is None
+        numbers = "indices" if first == 0 else "numbers"
+        numbered = f"{name} has no ids: these are {numbers} from {first}, in the file's order."
+        cells = [int(i) for i in np.flatnonzero(check.standing == INVALID)]
+        ids = [str(first + i) if is_numbered else without_controls(check.name_of(i)) for i in cells]
+        if ids and is_numbered:
+            self._said.append(numbered)
         foreign = next((i for i in ids if not re.fullmatch(r"\d+", i)), None) if self._kind == "nastran" else None
         if foreign is not None:
             raise HexlensError(f"{name}: Nastran has no id such as “{shown(foreign)}”.")
@@ -198,6 +204,8 @@ class IdsOutput:
             yield f"{_COMMENTS[self._kind]} {name}: {len(ids)} invalid\n"
         if not ids:
             return
+        if is_numbered and first > 0:
+            yield f"{_COMMENTS[self._kind]} {numbered}\n"
         self._sets += 1
         if self._kind == "abaqus":
             yield f"*ELSET, ELSET=HEXLENS_INVALID{'' if self._sets == 1 else f'_{self._sets}'}\n"

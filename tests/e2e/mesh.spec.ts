@@ -133,6 +133,7 @@ test('the first mesh: sentence, list, filter, picture, lens', async ({ lens, pag
     await expect(rows(page).first()).toContainText('none')
     await page.getByLabel('Sorted by').selectOption('By volume')
     await expect(heading).toHaveAttribute('aria-sort', 'none')
+    await expect(page.getByRole('columnheader', { name: 'Volume' })).toHaveAttribute('aria-sort', 'ascending')
     await page.getByLabel('Go to index').fill('6994')
     await page.getByRole('button', { name: 'Go', exact: true }).click()
     await expect(which(page)).toHaveText(/^Cell 6994/)
@@ -353,18 +354,64 @@ test('the picture: slice, threshold, peel, dig, apart, around a cell, and settin
     await openFiles(page, 'real/rockerarm.mesh')
     await expect(count).toHaveText('13 of 10,600 cells.')
   })
+
+  await test.step('into one of another size it does not go unasked', async () => {
+    await page.goto('about:blank')
+    await page.goto('mesh.html#picture=1&of=603&list=volume%3C0&sort=volume')
+    await openFiles(page, 'real/rockerarm.mesh')
+    await expect(bar.locator('.notice')).toHaveText(
+      'The address had settings of a mesh of 603 hexahedra; this one has 10,600, so they are not used.',
+    )
+    await expect(page.locator('.go .count')).toHaveText(/^\s*All 10,600 cells/)
+    await expect.poll(() => page.url()).not.toContain('#')
+  })
 })
 
 test('files: mirrored cells by one click, a second mesh, what cannot be read', async ({ lens, page }) => {
   await openMesh(page)
   await openFiles(page, 'real/matrix_fiber_rand.vtk')
   await expect(headline(page)).toHaveText(/^97 of 603 hexahedra are invalid/)
+  const bar = page.locator('.picture .bar')
+  const drawn = bar.locator('.count')
+  for (const [set, count] of [
+    ['all', '603 of 603 cells.'],
+    ['around', /^\d+ of 603 cells\.$/],
+    ['listed', '603 of 603 cells.'],
+    ['block-1', /^\d+ of 603 cells\.$/],
+  ] as const)
+    await test.step(`${set} is what it says, and what its own settings say`, async () => {
+      await bar.getByLabel('Cells in the picture').selectOption(set)
+      await expect(drawn).toHaveText(count)
+      const [cells, address] = [await drawn.textContent(), bar.getByLabel('All settings')]
+      await bar.getByRole('button', { name: 'Settings' }).click()
+      await address.press('Enter')
+      await expect(bar.locator('.notice')).toHaveText('These settings are used now.')
+      await expect(drawn).toHaveText(cells ?? '')
+      await bar.getByRole('button', { name: 'Settings' }).click()
+    })
+  await bar.getByLabel('Cells in the picture').selectOption('all')
   await page.getByRole('button', { name: 'Correct 97 mirrored cells' }).click()
   await expect(headline(page)).toHaveText('All 603 hexahedra are valid.')
+  await expect(drawn).toHaveText('603 of 603 cells.')
   await expect(page.locator('.notes')).toContainText('97 mirrored hexahedra have been corrected here')
   await expect(page.locator('.notes li').filter({ hasText: 'Coordinates are printed' })).toContainText(
     'write more digits, or doubles.',
   )
+
+  await test.step('where no invalid cell is listed, the key for the next says so', async () => {
+    await page.locator('.list .rows').press('n')
+    await expect(page.locator('p.message')).toHaveText('No invalid cell is in the list.')
+  })
+
+  await test.step('a condition that is refused leaves the list, and says so', async () => {
+    await page.locator('#condition').fill('volume >')
+    await page.locator('#condition').press('Enter')
+    await expect(page.locator('#condition-complaint')).toHaveText(/ The list is as it was\.$/)
+    await expect(page.locator('.go .count')).toHaveText(/^\s*All 603 cells\s*$/)
+    await page.locator('#condition').fill('')
+    await page.locator('#condition').press('Enter')
+    await expect(page.locator('#condition-complaint')).toBeEmpty()
+  })
 
   await openFiles(page, 'made/vtk-raw-none.vtu')
   await expect(headline(page)).toHaveText(/^10 of 16 hexahedra are invalid/)

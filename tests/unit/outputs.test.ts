@@ -124,6 +124,12 @@ it('what has no ids is said, and what Nastran has no id for is refused in one se
     said: ["part.vtu has no ids: these are indices from 0, in the file's order."],
     content: Buffer.from('1\n'),
   })
+  const said = "part.vtu has no ids: these are numbers from 1, in the file's order."
+  expect(written('abaqus', bare, 'part.vtu')).toMatchObject({
+    said: [said],
+    content: Buffer.from(`** ${said}\n*ELSET, ELSET=HEXLENS_INVALID\n2\n`),
+  })
+  expect(written('nastran', bare, 'part.vtu').content.toString()).toBe(`$ ${said}\nSET 1 = 2\n`)
   const named = await opened({ ...meshOf([mirroredCube]), ids: ['ring.1'] })
   expect(new Writing('nastran', { name: 'part.inp', check: named, core }).run(Infinity)).toEqual({
     refused: 'part.inp: Nastran has no id such as “ring.1”.',

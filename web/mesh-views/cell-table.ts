@@ -1,8 +1,8 @@
 /** The list of cells: a grid of which only the rows that are seen exist. Rows come from the worker; until then they are blank. */
 import { html, nothing, render, type TemplateResult } from 'lit-html'
 import { formatJacdet, formatNumber } from '../model/decimal'
-import { checks } from '../panels/checks/check-words'
 import type { Arrangement, Column, Row } from '../survey/survey-jobs'
+import { checkNamesOfMeshes } from '../views/check-names'
 import { type PlainWord, say } from '../words/say'
 
 /** Browsers lay out no box much higher than this, in pixels: longer lists scroll in larger steps. */
@@ -182,7 +182,7 @@ export class CellTable {
     this.#idLength = Math.min(LONGEST_ID, Math.max(this.#idLength, ...lengths))
     render(
       html`<div
-        class=${`rows ${this.#hasBlocks ? 'with-blocks' : ''}`}
+        class=${`rows by-${this.#order.column} ${this.#hasBlocks ? 'with-blocks' : ''}`}
         .style=${`--_id: ${BOLD * this.#idLength}ch`}
         role="grid"
         tabindex="0"
@@ -249,7 +249,7 @@ export class CellTable {
       <span role="gridcell" aria-colindex="3" class=${`minimum ${isInvalid ? 'negative' : ''}`}>${formatJacdet(minimum.value, minimum.exponent, 'unit')}</span>
       <span role="gridcell" aria-colindex="4" class="volume">${formatJacdet(volume.value, volume.exponent, 'unit')}</span>
       <span role="gridcell" aria-colindex="5" class=${`class ${isInvalid ? 'negative' : ''}`}>${row.class === 'invalid' ? say('INVALID') : row.class === null ? '' : say(row.class)}</span>
-      <span role="gridcell" aria-colindex="6" class="accepted-by" title=${acceptedBy.map(check => say(checks[check].name)).join(', ')}
+      <span role="gridcell" aria-colindex="6" class="accepted-by" title=${acceptedBy.map(check => say(checkNamesOfMeshes[check])).join(', ')}
         >${isInvalid ? acceptedWords(acceptedBy) : ''}</span
       >
       ${this.#hasBlocks ? html`<span role="gridcell" aria-colindex="7" class="block">${block ?? '–'}</span>` : nothing}`
@@ -300,5 +300,5 @@ export class CellTable {
 
 function acceptedWords(acceptedBy: Row['acceptedBy']): string {
   if (acceptedBy.length === 0) return say('none')
-  return acceptedBy.map(check => say(checks[check].name)).join(', ')
+  return acceptedBy.map(check => say(checkNamesOfMeshes[check])).join(', ')
 }

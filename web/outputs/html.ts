@@ -12,7 +12,7 @@ import { formatJacdet, formatNumber, formatPoint } from '../model/decimal'
 import { VERTEX_COUNT, vertexOf } from '../model/hexahedron'
 import { flatFigure, flatFigureHatch } from '../scene/paint/flat-figure'
 import { thumbnailText } from '../scene/paint/thumbnail'
-import { checkNames } from '../views/check-names'
+import { checkNamesOfMeshes } from '../views/check-names'
 import { entityTitle } from '../views/entity-name'
 import { histogramMarkup } from './html-histogram'
 import { STYLES } from './html-styles'
@@ -124,7 +124,7 @@ function reportMarkup(report: Report): string {
 function rowsOf(report: Report): [term: string, markup: string][] {
   const { valid, relativeMinimum, boundaryMinimum, exponent, minimizer, volume, volumeExponent, checks } = report
   const relative = relativeMinimum === null ? 'none, the volume is 0' : formatNumber(relativeMinimum)
-  const accepting = checks.filter(({ passes }) => passes).map(({ id }) => checkNames[id])
+  const accepting = checks.filter(({ passes }) => passes).map(({ id }) => checkNamesOfMeshes[id])
   const accepted =
     accepting.length === 0 ? 'none' : accepting.length === checks.length ? 'all checks' : accepting.join(', ')
   const title = entityTitle(minimizer)

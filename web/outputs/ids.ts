@@ -1,5 +1,4 @@
 /** `--ids`: the invalid hexahedra by their ids, as the input of a program or one on a line. */
-import type { MeshCheck } from '../mesh/mesh-check'
 import { Refusal } from '../model/result'
 import { invalidCells, nameOf } from './invalid-cells'
 import { type Output, shown, withoutControls } from './output'
@@ -20,19 +19,28 @@ export function idsOutput(kind: IdKind, fileCount: number, say: (sentence: strin
     *file(result) {
       if ('error' in result) return
       const { file, check } = result
-      const ids = invalidIds(check)
-      if (ids.length > 0 && check.mesh.ids === null)
-        say(`${withoutControls(file)} has no ids: these are indices from 0, in the file's order.`)
+      const first = FIRST[kind]
+      const numbers = first === 0 ? 'indices' : 'numbers'
+      const isNumbered = check.mesh.ids === null
+      const numbered = `${withoutControls(file)} has no ids: these are ${numbers} from ${first}, in the file's order.`
+      const ids = invalidCells(check).map(cell =>
+        isNumbered ? String(first + cell) : withoutControls(nameOf(check, cell)),
+      )
+      if (ids.length > 0 && isNumbered) say(numbered)
       const foreign = kind === 'nastran' ? ids.find(id => !/^\d+$/.test(id)) : undefined
       if (foreign !== undefined)
         throw new Refusal(`${withoutControls(file)}: Nastran has no id such as ${shown(foreign)}.`)
       const comment = `${COMMENTS[kind]} ${withoutControls(file)}: ${ids.length} invalid`
       if (fileCount > 1) yield `${comment}\n`
+      if (ids.length > 0 && isNumbered && first > 0) yield `${COMMENTS[kind]} ${numbered}\n`
       if (ids.length > 0) yield* writers[kind](ids, ++sets)
     },
     *end() {},
   }
 }
+
+/** Elements of Abaqus and Nastran are numbered from 1, as in the meshes that are written for them. */
+const FIRST: Readonly<Record<IdKind, 0 | 1>> = { abaqus: 1, nastran: 1, plain: 0 }
 
 const COMMENTS: Readonly<Record<IdKind, string>> = { abaqus: '**', nastran: '$', plain: '#' }
 
@@ -56,8 +64,4 @@ const writers: Readonly<Record<IdKind, (ids: readonly string[], set: number) => 
   *plain(ids) {
     for (const id of ids) yield `${id}\n`
   },
-}
-
-function invalidIds(check: MeshCheck): string[] {
-  return invalidCells(check).map(cell => withoutControls(nameOf(check, cell)))
 }

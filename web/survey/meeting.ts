@@ -1,5 +1,5 @@
 /** Cells that meet a condition: by intervals where they decide it, else by the core's report. */
-import { filterOf, OPEN, TRUE } from '../core/filter/filter'
+import { FALSE, filterOf, OPEN, TRUE } from '../core/filter/filter'
 import { quantitiesOf } from '../core/quantities'
 import { verticesOf } from '../mesh/vertices-of'
 import { isMet, parseCondition } from '../model/condition'
@@ -17,9 +17,11 @@ export const meeting: Meeting = (check, core, text) => {
   const filter = filterOf(condition, NO_MEASURE, NOWHERE, core)
   return cell => {
     if (!check.isAnswered(cell)) return false
+    const isValid = check.answers.valid[cell] === 1
     const vertices = verticesOf(check.mesh, cell)
     own.set(vertices)
-    const truth = isOrdinary(own) ? filter.judge(own, 0, check.answers.valid[cell] === 1) : OPEN
+    const mayBe = isValid ? filter.mayBe.valid : filter.mayBe.invalid
+    const truth = !isOrdinary(own) ? OPEN : mayBe ? filter.judge(own, 0, isValid) : FALSE
     if (truth !== OPEN) return truth === TRUE
     const report = core.analyze(vertices)
     return report.ok && isMet(condition, quantitiesOf(report.value, vertices))

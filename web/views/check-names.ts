@@ -12,3 +12,9 @@ export const checkNames: Readonly<Record<CheckId, PlainWord>> = {
   subdivision: 'Subdivision to depth\u00a04',
   tangents: 'Four tangents',
 }
+
+/** In lists of a mesh's cells, as in the sentence on top: on cells with edges of no length VTK says something else than the corners do. */
+export const checkNamesOfMeshes: Readonly<Record<CheckId, PlainWord>> = {
+  ...checkNames,
+  'corners-and-centre': 'VTK’s scaled Jacobian',
+}

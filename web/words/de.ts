@@ -132,6 +132,7 @@ export const german: Dictionary = {
     'Kopieren ist hier nicht erlaubt. Herunterladen gibt dasselbe.',
   'Copying is not allowed here:': 'Kopieren ist hier nicht erlaubt:',
   'Corners and centre': 'Ecken und Mitte',
+  'VTK’s scaled Jacobian': 'Scaled Jacobian von VTK',
   'Cube inside out': 'Umgestülpter Würfel',
   Custom: 'Eigenes',
   dark: 'dunkel',

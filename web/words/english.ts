@@ -117,6 +117,7 @@ export const english = [
   'Copying is not allowed here. Download gives the same.',
   'Copying is not allowed here:',
   'Corners and centre',
+  'VTK’s scaled Jacobian',
   'Cube inside out',
   'Custom',
   'dark',

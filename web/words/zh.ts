@@ -130,6 +130,7 @@ export const chinese: Dictionary = {
   'Copying is not allowed here. Download gives the same.': '此处不允许复制。“下载”给出同样的内容。',
   'Copying is not allowed here:': '此处不允许复制：',
   'Corners and centre': '角点和中心',
+  'VTK’s scaled Jacobian': 'VTK 的缩放雅可比',
   'Cube inside out': '内外翻转的立方体',
   Custom: '自定义',
   dark: '深色',

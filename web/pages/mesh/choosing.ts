@@ -75,7 +75,11 @@ export class Choosing {
 
   async goToNext(step: 1 | -1): Promise<void> {
     const rank = this.#state.chosen?.rank ?? (step > 0 ? -1 : 0)
-    await this.#flyThere(await this.#state.asked(open => open.nextInvalid(rank, step)))
+    const own = this.#state.survey
+    const place = await this.#state.asked(open => open.nextInvalid(rank, step))
+    if (own !== this.#state.survey) return
+    this.#state.set({ message: place ? '' : 'No invalid cell is in the list.' })
+    await this.#flyThere(place)
   }
 
   async goTo(id: string): Promise<void> {

@@ -77,9 +77,13 @@ export function allOf({ hexahedra }: Overview): Selected {
   return { listed: hexahedra, done: hexahedra }
 }
 
+const LIST_STAYS = ' The list is as it was.'
+
 function complaintAbout(condition: string): string | null {
   if (condition.trim() === '') return null
   const parsed = parseCondition(condition)
-  if (!parsed.ok) return parsed.error.message
-  return parsed.value.names.includes('moved') ? 'Nothing has been moved here: “moved” is for challenges.' : null
+  if (!parsed.ok) return `${parsed.error.message}${LIST_STAYS}`
+  return parsed.value.names.includes('moved')
+    ? `Nothing has been moved here: “moved” is for challenges.${LIST_STAYS}`
+    : null
 }

@@ -123,7 +123,10 @@ function draw(shown: Shown): void {
 }
 
 document.addEventListener('keydown', event => {
-  if (isTyping(event) || event.altKey || event.ctrlKey || event.metaKey) return
+  if (isTyping(event)) return
+  // A browser would undo what was typed in a field that nobody is in.
+  if ((event.ctrlKey || event.metaKey) && /^[yz]$/i.test(event.key)) event.preventDefault()
+  if (event.altKey || event.ctrlKey || event.metaKey) return
   if (event.key === 'n') void choosing.goToNext(1)
   else if (event.key === 'p') void choosing.goToNext(-1)
   else return

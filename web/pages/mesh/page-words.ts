@@ -1,8 +1,12 @@
 /** What the page Mesh says beside the sentences of the mesh itself. */
+import type { CheckId } from '../../core/report'
 import { formatNames } from '../../mesh/format-names'
 import { formatNumber } from '../../model/decimal'
 import type { Overview, Row } from '../../survey/survey-jobs'
-import { checkNames } from '../../views/check-names'
+import { checkNamesOfMeshes } from '../../views/check-names'
+
+/** The name of what came without one. */
+const PASTED = 'the text'
 
 /** Names that stand for the others. */
 const NAMED = 8
@@ -17,7 +21,7 @@ export const FORMATS = `Formats: ${formatNames.slice(0, NAMED).join(', ')} and $
 
 /** A refusal of what was given under a name, and what is on the page now. */
 export function refusalWords(given: string, refused: string, open: string | null): string {
-  const what = refused.includes(given) || given === 'the text' ? refused : `${given}: ${lowerFirst(refused)}`
+  const what = refused.includes(given) || given === PASTED ? refused : `${given}: ${lowerFirst(refused)}`
   return open === null ? what : `${what} ${stillOpen(open)}`
 }
 
@@ -34,11 +38,11 @@ export function unsavedSentence(name: string, movedCount: number): string {
 /** Of an invalid cell; empty where no check accepts it. */
 export function acceptedSentence({ standing, acceptedBy }: Pick<Row, 'standing' | 'acceptedBy'>): string {
   if (standing !== 'invalid' || acceptedBy.length === 0) return ''
-  return `Accepted by ${acceptedBy.map(check => lowerFirst(checkNames[check])).join(', ')}.`
+  return `Accepted by ${acceptedBy.map(inSentence).join(', ')}.`
 }
 
 function stillOpen(name: string): string {
-  return `What is below is still ${name}.`
+  return `What is below is still ${name === PASTED ? 'what was pasted before' : name}.`
 }
 
 /** What to do now, or how near to invalid a mesh is. */
@@ -67,6 +71,11 @@ export function namesakeSentence(paths: readonly string[] | undefined): string {
     seen.set(name, path)
   }
   return ''
+}
+
+function inSentence(check: CheckId): string {
+  const name = checkNamesOfMeshes[check]
+  return name.startsWith('VTK') ? name : lowerFirst(name)
 }
 
 function lowerFirst(sentence: string): string {

@@ -6,6 +6,12 @@ import type { CutCells, Overview } from '../../survey/survey-jobs'
 /** The cells to begin with; the slice, the threshold and so on take some of them away. */
 export type CellSet = 'all' | 'invalid' | 'listed' | 'around' | `block-${number}`
 
+/** Which block of the mesh a set is; null if it is none. */
+export function blockOf(set: CellSet): number | null {
+  const [, block] = /^block-(\d+)$/.exec(set) ?? []
+  return block === undefined ? null : Number(block)
+}
+
 /** What is in front of the plane goes; `place` is its part of the way through the mesh along the normal. */
 export interface Slice {
   readonly normal: Vec3
@@ -89,9 +95,8 @@ function setOf(set: CellSet, rings: number, chosen: number | null): CutCells['se
   if (set === 'invalid') return { which: 'invalid', rings }
   if (set === 'listed') return { which: 'listed' }
   if (set === 'around' && chosen !== null) return { which: 'around', cell: chosen, rings }
-  return set === 'all' || set === 'around'
-    ? { which: 'all' }
-    : { which: 'block', block: Number(set.slice('block-'.length)) }
+  const block = blockOf(set)
+  return block === null ? { which: 'all' } : { which: 'block', block }
 }
 
 export function flipped({ normal: [x, y, z], place }: Slice): Slice {

@@ -6,7 +6,7 @@ import { percentDecoded } from '../../model/permalink'
 import { type CodedError, type Result, refused } from '../../model/result'
 import type { CameraView } from '../../model/state'
 import type { Arrangement, Column, Overview } from '../../survey/survey-jobs'
-import { type CellSet, MOST_RINGS, type PictureSettings, type Slice } from './picture-settings'
+import { blockOf, type CellSet, MOST_RINGS, type PictureSettings, type Slice } from './picture-settings'
 
 /** The list beside the picture. */
 export interface Listing {
@@ -128,8 +128,9 @@ export function settingsIn(
   const unfit: string[] = []
   let { picture, block, chosen, listing } = given
   if (block !== null) {
-    const own = Number(picture.set.slice('block-'.length))
-    const found = blocks[own]?.name === block ? own : blocks.findIndex(({ name }) => name === block)
+    const own = blockOf(picture.set)
+    const isOwn = own !== null && blocks[own]?.name === block
+    const found = isOwn ? own : blocks.findIndex(({ name }) => name === block)
     if (found < 0) unfit.push(`This mesh has no block “${block}”: all cells are shown.`)
     picture = { ...picture, set: found < 0 ? 'all' : `block-${found}` }
     block = found < 0 ? null : block

@@ -38,6 +38,11 @@ export class SettingsTravel {
     const waiting = this.#waiting
     if (!waiting || (isExample && waiting.of !== overview.hexahedra)) return null
     this.#waiting = null
+    if (waiting.of !== overview.hexahedra) {
+      const [theirs, own] = [waiting.of, overview.hexahedra].map(count => count.toLocaleString('en'))
+      this.#notice = `The address had settings of a mesh of ${theirs} hexahedra; this one has ${own}, so they are not used.`
+      return null
+    }
     const { fitting, unfit } = settingsIn(waiting, overview)
     this.#notice = unfit.join(' ')
     return fitting

@@ -8,6 +8,7 @@ import type { MovingLens } from './moving-lens'
 import { NOTHING_SHOWN, type PageState, type Shown } from './page-state'
 import { NOT_IN_STEPS } from './page-words'
 import type { PictureControls } from './picture-controls'
+import { blockOf } from './picture-settings'
 import type { Travelling } from './settings-text'
 import type { SettingsTravel } from './settings-travel'
 import type { StepsView } from './steps-view'
@@ -115,11 +116,11 @@ export class Showing {
     const { picture } = this.#views
     const { survey, chosen } = this.#state
     if (!overview || !survey) return null
-    const block = overview.blocks[Number(picture.settings.set.slice('block-'.length))]?.name ?? null
+    const block = blockOf(picture.settings.set)
     return {
       of: overview.hexahedra,
       picture: picture.settings,
-      block,
+      block: block === null ? null : (overview.blocks[block]?.name ?? null),
       camera: picture.camera,
       chosen: chosen?.cell === overview.worst[0]?.cell ? null : (chosen?.cell ?? null),
       listing: { condition: complaint === null ? condition : '', range, order },
