@@ -53,7 +53,7 @@ function notTrilinearNote({ mesh, notTrilinear: { count, validByCorners } }: Ans
   const { straight } = mesh.notTrilinear
   return straight === null
     ? `${answer}.`
-    : `${answer}, and ${straight} ${straight === 1 ? 'has' : 'have'} all further nodes at the middles.`
+    : `${answer}, and ${straight === 0 ? 'none has' : counted(straight, 'has', 'have')} all further nodes at the middles.`
 }
 
 function orderNote(check: Answered): string | null {
