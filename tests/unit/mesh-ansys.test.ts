@@ -142,10 +142,26 @@ describe('commands of one node or element', () => {
     expect([mesh.cells.length, mesh.notTrilinear.corners.length]).toEqual([0, 8])
   })
 
+  it('are refused where others change them', () => {
+    const text = (command: string) =>
+      `ET,1,185\n${ONE.map(id => `N,${id},${point(id - 1)}`).join('\n')}\nE,${ONE}\n${command}\n`
+    for (const command of ['EGEN,2,10,1', 'nscale,0,all,,,1,-1,1', 'EMODIF,1,-1,2', 'Fill,1,2', 'NMODIF,1,5,5,5'])
+      expect(refusal(text(command)), command).toMatch(
+        new RegExp(`^a\\.cdb, line 11: ${command.split(',')[0]?.toUpperCase()} .*is not read here: write`),
+      )
+    const harmless = ['EMODIF,ALL,MAT,3', 'NMODIF,1,,,,45', 'LOCAL,R5.3,LOC,11,1', 'NSEL,ALL', 'FINISH', 'CSYS']
+    expect(readText('a.cdb', text(harmless.join('\n'))).cells.length).toBe(8)
+  })
+
   it('are refused in a frame that is not read', () => {
     expect(refusal(`ET,1,185\nCSYS,1\nN,1,1,90,0`)).toBe(
       'a.cdb, line 3: N: coordinates in frame 1 are not read; frame 0 was expected.',
     )
+    for (const command of ['LOCAL,11,1,0,0,0', 'clocal,11'])
+      expect(refusal(`ET,1,185\n${command}\nN,1,1,90,0`)).toBe(
+        'a.cdb, line 3: N: coordinates in frame 11 are not read; frame 0 was expected.',
+      )
+    expect(refusal('ET,1,185\nCSYS,CYL\nN,1,1,90,0')).toContain('in frame “CYL” are not read')
     expect(refusal(`${NBLOCK}EMORE,1,2`)).toMatch(/EMORE: an element of E or EN was expected before it/)
   })
 })

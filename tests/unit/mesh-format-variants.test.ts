@@ -89,6 +89,12 @@ test('UGRID: records of meshio, with wrong lengths', () => {
   expect(refusal({ 'a.lr8.ugrid': other })).toMatch(/the record ends elsewhere than its length says/)
 })
 
+test('Medit: Hexaedra, as some spell it', () => {
+  const text = `MeshVersionFormatted 2\nDimension 3\nVertices\n8\n${CUBE.join(' 0\n')} 0\nHexaedra\n1\n1 2 3 4 5 6 7 8 0\nEnd\n`
+  const [mesh] = readAll({ 'a.mesh': text }) as [Mesh]
+  expect(Array.from(mesh.cells)).toEqual([0, 1, 2, 3, 4, 5, 6, 7])
+})
+
 test('Radioss: bricks of 20 nodes on lines of eight, or of ten', () => {
   const columns = (...numbers: readonly number[]) => numbers.map(number => String(number).padStart(10)).join('')
   const nodes = Array.from({ length: 20 }, (_, i) => i + 1)

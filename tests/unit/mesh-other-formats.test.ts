@@ -246,6 +246,11 @@ test.each<[string, Readonly<Record<string, Content>>, RegExp]>([
     /^a\.rad, line \d+: it includes “nodes\.rad”/,
   ],
   [
+    'Radioss, nodes that are moved afterwards',
+    { 'a.rad': text('a.rad').replace(/^\/NODE/m, '/TRANSFORM/TRA/1\n/NODE') },
+    /^a\.rad, line \d+: \/TRANSFORM is not read here: write the nodes where they are in the end\.$/,
+  ],
+  [
     'Code_Aster, a node that is not there',
     { 'a.mail': text('a.mail').replace(/^( M\d+ N\d+ N)\d+/m, '$1999') },
     /^a\.mail, line \d+: element “M\d+” names node “N999”, which is not defined\.$/,

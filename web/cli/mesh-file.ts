@@ -18,16 +18,15 @@ export interface OpenFile {
 export async function openMeshFile(path: string, input: Streams['input']): Promise<OpenFile> {
   if (path === '-') {
     const file = fileOfBytes('standard input', await bytesOf(input))
-    return { file, find: filesBeside('.', []), close: () => {} }
+    return { file, find: filesBeside('.'), close: () => {} }
   }
   const own = fileInFolder(path)
-  const opened = openPath(own)
-  const found: OpenPath[] = []
+  const { file, descriptor } = openPath(own)
   return {
-    file: opened.file,
-    find: filesBeside(dirname(own), found),
+    file,
+    find: filesBeside(dirname(own)),
     close() {
-      for (const { close } of [opened, ...found]) close()
+      if (descriptor !== null) closeSync(descriptor)
     },
   }
 }
@@ -55,40 +54,64 @@ function fileInFolder(path: string): string {
 
 interface OpenPath {
   readonly file: MeshFile
-  close(): void
+  /** Null if nothing has to stay open. */
+  readonly descriptor: number | null
 }
 
-/** Finds files by their names, with either slash, and puts all that are opened into `found`. */
-function filesBeside(folder: string, found: OpenPath[]): FindFile {
+/** Finds files by their names, with either slash. */
+function filesBeside(folder: string): FindFile {
   return name => {
-    for (const spelling of new Set([name, name.replaceAll('\\', '/')])) {
+    const spellings = [name, name.replaceAll('\\', '/')]
+    const path = spellings.map(spelling => resolve(folder, spelling)).find(isThere)
+    return path === undefined ? null : fileBeside(path)
+  }
+}
+
+function isThere(path: string): boolean {
+  return existsSync(path) && !statSync(path).isDirectory()
+}
+
+/** It is open only while it is read: there may be more files beside a mesh than a process can have open. */
+function fileBeside(path: string): MeshFile {
+  const { file, descriptor } = openPath(path)
+  if (descriptor === null) return file
+  closeSync(descriptor)
+  return {
+    ...file,
+    read(from, to, into) {
+      const again = openedAs(file.name, path)
       try {
-        const opened = openPath(resolve(folder, spelling))
-        found.push(opened)
-        return opened.file
-      } catch (error) {
-        if (!(error instanceof Refusal)) throw error
+        return slice(again, file.name, from, to, into)
+      } finally {
+        closeSync(again)
       }
-    }
-    return null
+    },
+  }
+}
+
+function openedAs(name: string, path: string): number {
+  try {
+    return openSync(path, 'r')
+  } catch (error) {
+    throw new Refusal(`${name} cannot be read: ${reasonOf(error)}.`)
   }
 }
 
 function openPath(path: string): OpenPath {
   const name = shown(basename(path)).slice(1, -1)
+  const descriptor = openedAs(name, path)
   try {
-    const descriptor = openSync(path, 'r')
     const status = fstatSync(descriptor)
     // A pipe cannot be read from anywhere.
     if (!status.isFile()) {
       try {
-        return { file: fileOfBytes(name, plain(readFileSync(descriptor))), close: () => {} }
+        return { file: fileOfBytes(name, plain(readFileSync(descriptor))), descriptor: null }
       } finally {
         closeSync(descriptor)
       }
     }
     const read: MeshFile['read'] = (from, to, into) => slice(descriptor, name, from, to, into)
-    return { file: { name, size: status.size, read }, close: () => closeSync(descriptor) }
+    return { file: { name, size: status.size, read }, descriptor }
   } catch (error) {
     throw error instanceof Refusal ? error : new Refusal(`${name} cannot be read: ${reasonOf(error)}.`)
   }

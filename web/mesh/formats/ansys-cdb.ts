@@ -28,6 +28,14 @@ export const ansysCdb: MeshFormat = {
   read: (file, options) => [new AnsysReader(file, options).read()],
 }
 
+/** Commands that make, move or take away nodes and elements. */
+const CHANGES: ReadonlySet<string> = new Set(
+  'NGEN EGEN ENGEN NSYM ESYM ENSYM NSCALE NDELE EDELE NREAD EREAD FILL MOVE TRANSFER'.split(' '),
+)
+
+/** Of the commands that are looked at, in lower case. */
+const FIRST_LETTERS: readonly number[] = [...'netkclfm'].map(letter => letter.charCodeAt(0))
+
 /** Columns of a line: those of integers, then those of reals. */
 interface Widths {
   readonly integers: number
@@ -79,17 +87,18 @@ class AnsysReader {
   #command(): void {
     const lines = this.#lines
     const first = lines.at(0) | 32
-    // Commands of interest begin with n, e, t, k, c; data lines with blanks and digits.
-    if (first !== 110 && first !== 101 && first !== 116 && first !== 107 && first !== 99) {
-      if (lines.at(0) !== 32) return
-    }
+    // Data lines begin with blanks and digits.
+    if (!FIRST_LETTERS.includes(first) && lines.at(0) !== 32) return
     const [name = '', ...rest] =
       lines
         .text()
         .split('!')[0]
         ?.split(',')
         .map(word => word.trim()) ?? []
-    switch (name.toUpperCase()) {
+    const command = name.toUpperCase()
+    if (CHANGES.has(command) || (command === 'EMODIF' && /^-?\d+$/.test(rest[1] ?? '')))
+      lines.refuse(`${command} is not read here: write the nodes and elements as they are in the end.`)
+    switch (command) {
       case 'NBLOCK':
         this.#nodeBlock(rest)
         break
@@ -117,12 +126,21 @@ class AnsysReader {
         if (!/^R/i.test(rest[0] ?? '')) this.#commands.node()
         break
       case 'CSYS':
-        this.#commands.frame = Number(rest[0] || 0)
+        this.#commands.frame = rest[0] || '0'
+        break
+      case 'LOCAL':
+      case 'CLOCAL':
+        // What CDWRITE writes of a frame has its release first, and is never active.
+        if (!/^R/i.test(rest[0] ?? '')) this.#commands.frame = rest[0] ?? ''
+        break
+      case 'NMODIF':
+        if (rest.slice(1, 4).some(word => word !== ''))
+          lines.refuse('NMODIF of coordinates is not read here: write the nodes where they are in the end.')
         break
       case 'E':
       case 'EN':
       case 'EMORE':
-        this.#commands.element(name.toUpperCase())
+        this.#commands.element(command)
     }
   }
 
@@ -232,6 +250,8 @@ class AnsysReader {
     const lines = this.#lines
     const { integers, integerWidth } = this.#formatLine('EBLOCK')
     const isSolid = /^solid$/i.test(key)
+    if (!isSolid && key !== '')
+      lines.refuse(`EBLOCK with ${shown(key)} is not read here; SOLID or nothing was expected.`)
     const nodes = new Float64Array(MOST_NODES)
     const split = () => {
       lines.startFields()

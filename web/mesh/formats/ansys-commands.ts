@@ -1,5 +1,6 @@
 /** Commands of Ansys for one node, N, or one element, E, EN and EMORE, as people write them and CDWRITE does without blocks. */
 import type { PrintedDigits } from '../precision'
+import { shown } from '../shown'
 import { MOST_NODES } from './ansys-elements'
 import type { NodeModel } from './node-model'
 import type { TextLines } from './text-lines'
@@ -16,7 +17,7 @@ export class AnsysCommands {
   #lastNode = 0
   #lastElement = 0
   /** The number of the active frame, in which the coordinates of N are. */
-  frame = 0
+  frame = '0'
 
   /** `take` gets each element when it is whole. */
   constructor(
@@ -33,7 +34,10 @@ export class AnsysCommands {
 
   node(): void {
     const lines = this.#lines
-    if (this.frame !== 0) lines.refuse(`N: coordinates in frame ${this.frame} are not read; frame 0 was expected.`)
+    if (Number(this.frame) !== 0)
+      lines.refuse(
+        `N: coordinates in frame ${/^\d+$/.test(this.frame) ? this.frame : shown(this.frame)} are not read; frame 0 was expected.`,
+      )
     this.#split(4)
     const id = lines.isFieldBlank(0) ? this.#lastNode + 1 : lines.id(0, 'a number of a node')
     this.#lastNode = Math.max(this.#lastNode, id)

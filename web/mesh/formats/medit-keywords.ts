@@ -56,8 +56,10 @@ const TABLE: readonly (readonly [number, string, MeditCells['kind'], number])[] 
 export const meditCellsByCode: ReadonlyMap<number, MeditCells> = new Map(
   TABLE.map(([code, name, kind, nodes]) => [code, { name, kind, nodes }]),
 )
+/** Some programs spell it so; meshio reads it, too. */
+const HEXAEDRA = [10, 'Hexaedra', 'hexahedron', 8] as const
 export const meditCellsByName: ReadonlyMap<string, MeditCells> = new Map(
-  TABLE.map(([, name, kind, nodes]) => [name, { name, kind, nodes }]),
+  [...TABLE, HEXAEDRA].map(([, name, kind, nodes]) => [name, { name, kind, nodes }]),
 )
 
 /** Cells of which only the number matters here. */

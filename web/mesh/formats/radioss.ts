@@ -74,6 +74,8 @@ class RadiossReader {
       if (name === 'NODE') this.#nodes()
       else if (name === 'PART') this.#parts.set(part, withoutControls(text.line() ?? '').trim())
       else if (name === 'BRICK' || name === 'BRIC20') text.later(() => this.#bricks(name === 'BRIC20', part))
+      else if (name === 'TRANSFORM')
+        text.refuse('/TRANSFORM is not read here: write the nodes where they are in the end.')
       else this.#others(name)
       text.pass(isKeyword)
     }
