@@ -89,6 +89,25 @@ test('UGRID: records of meshio, with wrong lengths', () => {
   expect(refusal({ 'a.lr8.ugrid': other })).toMatch(/the record ends elsewhere than its length says/)
 })
 
+test('Radioss: a brick whose last four nodes are 0 or blank is a tetrahedron', () => {
+  const columns = (width: number, ...words: readonly unknown[]) =>
+    words.map(word => String(word).padStart(width)).join('')
+  const nodes = CUBE.map((point, i) => columns(10, i + 1) + columns(20, ...point.split(' ')))
+  const bricks = [
+    columns(10, 7, 1, 2, 3, 4, 5, 6, 7, 8),
+    columns(10, 8, 1, 2, 3, 5, 0, 0, 0, 0),
+    columns(10, 9, 1, 2, 3, 5),
+  ]
+  const [mesh] = readAll({ 'a.rad': ['/BEGIN', '/NODE', ...nodes, '/BRICK/3', ...bricks, '/END', ''].join('\n') }) as [
+    Mesh,
+  ]
+  expect([mesh.cells.length, mesh.other]).toEqual([8, new Map([['tetrahedron', 2]])])
+  const half = columns(10, 9, 1, 2, 3, 5, 0, 0, 0, 6)
+  expect(refusal({ 'a.rad': ['/BEGIN', '/NODE', ...nodes, '/BRICK/3', half, '/END', ''].join('\n') })).toContain(
+    'node 0',
+  )
+})
+
 test('Medit: Hexaedra, as some spell it', () => {
   const text = `MeshVersionFormatted 2\nDimension 3\nVertices\n8\n${CUBE.join(' 0\n')} 0\nHexaedra\n1\n1 2 3 4 5 6 7 8 0\nEnd\n`
   const [mesh] = readAll({ 'a.mesh': text }) as [Mesh]

@@ -115,7 +115,7 @@ class RadiossReader {
   }
 
   #whole(line: string, field: number, what: string): number {
-    const word = line.slice(ID_WIDTH * field, ID_WIDTH * (field + 1)).trim()
+    const word = fieldOf(line, field)
     if (!/^\d+$/.test(word)) this.#text.cursor.refuse(`${shown(word)} is not ${what}.`, this.#text.cursor.line - 1)
     return Number(word)
   }
@@ -130,7 +130,9 @@ class RadiossReader {
       () => {
         const line = cursor.nextLine() ?? ''
         const id = this.#whole(line, 0, 'the number of an element')
-        const nodes = Array.from({ length: 8 }, (_, v) => this.#whole(line, v + 1, 'the number of a node'))
+        const nodes = Array.from({ length: 8 }, (_, v) =>
+          v >= 4 && fieldOf(line, v + 1) === '' ? 0 : this.#whole(line, v + 1, 'the number of a node'),
+        )
         while (isQuadratic && nodes.length < NODES_OF_BRIC20) {
           const more = (cursor.nextLine() ?? '').trimEnd()
           const count = Math.min(Math.max(1, Math.ceil(more.length / ID_WIDTH)), NODES_OF_BRIC20 - nodes.length)
@@ -147,6 +149,11 @@ class RadiossReader {
 
   #isOther(nodes: ArrayLike<number>): boolean {
     if (!isRepeating(nodes)) return false
+    // Nodes 5 to 8 of a tetrahedron are 0, or blank.
+    if ([4, 5, 6, 7].every(v => nodes[v] === 0)) {
+      this.#text.builder.otherCell('tetrahedron')
+      return true
+    }
     const isWedge = nodes[4] === nodes[7] && nodes[5] === nodes[6] && new Set(Array.from(nodes)).size === 6
     if (isWedge) this.#text.builder.otherCell('wedge')
     else this.#degenerate++
@@ -166,4 +173,8 @@ class RadiossReader {
       () => false,
     )
   }
+}
+
+function fieldOf(line: string, field: number): string {
+  return line.slice(ID_WIDTH * field, ID_WIDTH * (field + 1)).trim()
 }
