@@ -54,6 +54,32 @@ function refusal(text: string): string {
   }
 }
 
+describe('what a text calculates with its numbers is not done, and said', () => {
+  const array = `np.array(${JSON.stringify(rows(cube))})`
+  const [x, y, z] = [0, 1, 2].map(axis => `[${rows(cube).map(point => point[axis])}]`)
+  test.each([
+    [`p = ${array} * [1, 1, -1]`, ') * ['],
+    [`p = 1e-3*${array}`, '1e-3*np.array(['],
+    [`p = ${array}/1000`, ')/1000'],
+    [`X = ${x};\nY = ${y};\nZ = -${z};`, '= -['],
+    [`X = ${x};\nY = ${y};\nZ = ${z}.*2.5;`, '].*2.5'],
+  ])('%s', (text, at) => {
+    expect(read(text).notes).toContain(`The text calculates with its numbers at “${at}”: this was not done here.`)
+  })
+
+  test.each([
+    [`p = ${array}`],
+    [
+      `- [0, 0, 0]\n${rows(cube)
+        .map(point => `- [${point}]\n`)
+        .slice(1)
+        .join('')}`,
+    ],
+  ])('%s', text => {
+    expect(read(text).notes).not.toContain('calculates')
+  })
+})
+
 describe('plain numbers', () => {
   test.each([
     ['spaces', cube.join(' ')],

@@ -16,10 +16,15 @@ import { numberTable } from '../snippets/number-table'
 import { meshOfNumbers } from '../snippets/plain-numbers'
 import { Tokens } from '../snippets/tokens'
 import type { MeshFile, MeshFormat, ReadOptions } from '../source'
+import { shown } from '../text-cursor'
 
 /** A point whose x, y and z stand on a line each: YAML, and structures as debuggers and languages print them. */
 const POINT_ON_LINES =
   /(?<![\w.])(["']?x["']?\s?[:=]\s?[-+\d.e]{1,40},?)\s{1,80}(["']?y["']?\s?[:=]\s?[-+\d.e]{1,40},?)\s{1,80}(["']?z["']?\s?[:=])/gi
+
+/** A list with a sign before it, or one times a factor or by it. */
+const OPERATION =
+  /=\s{0,9}-\s{0,9}\[|[)\]}]\s{0,9}(?:\.?\*\s{0,9}(?:[[({]|\d[\d.e+-]{0,30})|\.?\/\s{0,9}\d[\d.e+-]{0,30})|(?<![\w.\])])\d[\d.e+-]{0,30}\s{0,9}\*\s{0,9}(?:\w{0,9}\.?array\(\s{0,9})?[[{]/i
 
 export const text: MeshFormat = {
   name: 'text',
@@ -29,7 +34,11 @@ export const text: MeshFormat = {
     const whole = snippetText(file)
     if (whole === null) throw new MeshRefusal(`${file.name}: this is binary, and in no format that is known here.`)
     const plain = withPlainNumbers(withoutTags(whole)).replace(POINT_ON_LINES, '$1 $2 $3')
-    return [meshOfText(plain, file, options)]
+    const mesh = meshOfText(plain, file, options)
+    const operation = OPERATION.exec(whole)?.[0]
+    if (operation === undefined) return [mesh]
+    const note = `The text calculates with its numbers at ${shown(operation.trim())}: this was not done here.`
+    return [{ ...mesh, notes: [...mesh.notes, note] }]
   },
 }
 

@@ -58,6 +58,7 @@ const ADVICE: readonly (readonly [about: RegExp, advice: string])[] = [
   ],
   [/ghosts/, 'Take them off before the mesh is written if the counts matter.'],
   [/Time step .* was read/, ANOTHER_STEP],
+  [/calculates with its numbers/, 'Paste what the program prints.'],
   [/the same at all/, NOTHING],
   [/taken together/, 'For one alone, drop that alone.'],
   [/belong to other ranks/, 'Give the files of all ranks to have the whole mesh.'],
