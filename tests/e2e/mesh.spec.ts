@@ -375,9 +375,9 @@ test('files: mirrored cells by one click, a second mesh, what cannot be read', a
   const drawn = bar.locator('.count')
   for (const [set, count] of [
     ['all', '603 of 603 cells.'],
-    ['around', /^\d+ of 603 cells\.$/],
+    ['around', /^(?!603)\d+ of 603 cells\.$/],
     ['listed', '603 of 603 cells.'],
-    ['block-1', /^\d+ of 603 cells\.$/],
+    ['block-1', /^(?!603)\d+ of 603 cells\.$/],
   ] as const)
     await test.step(`${set} is what it says, and what its own settings say`, async () => {
       await bar.getByLabel('Cells in the picture').selectOption(set)

@@ -84,7 +84,7 @@ export class HistogramView {
         ${ENDS.map(([end, name]) => this.#handle(end, name, end === 'lower' ? lower : upper, edges))}
       </div>
       <figcaption>
-        <span>${leftOf(edges) > least ? `≤ −1, from ${formatNumber(least)}` : formatNumber(least)}</span
+        <span title=${`From ${formatNumber(least)}`}>${leftOf(edges) > least ? '≤ −1' : formatNumber(least)}</span
         ><span title="The heights are logarithms of the counts.">Relative minimum: least jacdet / volume</span
         ><span>${formatNumber(greatest)}</span>
       </figcaption>
