@@ -33,7 +33,7 @@ const CHANGES: ReadonlySet<string> = new Set(
   'NGEN EGEN ENGEN NSYM ESYM ENSYM NSCALE NDELE EDELE NREAD EREAD FILL MOVE TRANSFER'.split(' '),
 )
 
-/** Of the commands that are looked at, in lower case. */
+/** The first letters of the commands that are looked at, in lower case. */
 const FIRST_LETTERS: readonly number[] = [...'netkclfm'].map(letter => letter.charCodeAt(0))
 
 /** Columns of a line: those of integers, then those of reals. */
@@ -130,7 +130,7 @@ class AnsysReader {
         break
       case 'LOCAL':
       case 'CLOCAL':
-        // What CDWRITE writes of a frame has its release first, and is never active.
+        // CDWRITE's own form names its release first: such a frame is defined, and not active.
         if (!/^R/i.test(rest[0] ?? '')) this.#commands.frame = rest[0] ?? ''
         break
       case 'NMODIF':
